@@ -1,0 +1,67 @@
+// The variables of a scene: numbers and strings by name.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace lamella::language {
+
+using Value = std::variant<double, std::string>;
+
+// The row of a variable. It belongs to the name for the whole session, so parsed text can keep it.
+struct VariableId {
+  std::uint32_t row = 0;
+  friend constexpr auto operator<=>(const VariableId&, const VariableId&) = default;
+};
+
+// Names, shared by all copies of a scene: undo takes values back, never ids.
+class VariableNames {
+ public:
+  // Upper and lower case are the same.
+  VariableId id(std::string_view name);
+  const std::string& name(VariableId id) const { return names_[id.row]; }
+  std::size_t size() const { return names_.size(); }
+  bool find(std::string_view name, VariableId& id) const;
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, std::uint32_t, std::less<>> rows_;
+};
+
+struct Variable {
+  Value value = 0.0;
+  bool defined = false;
+  bool parameter = false;  // declared by PARAMETER in the datafile's top section
+};
+
+class Variables {
+ public:
+  Variables() : names_(std::make_shared<VariableNames>()) {}
+
+  // The id for a name, new or old; the variable stays undefined until `set`.
+  VariableId id(std::string_view name) { return names_->id(name); }
+  const std::string& name(VariableId id) const { return names_->name(id); }
+  // Null where no such variable is defined.
+  const Variable* find(std::string_view name) const;
+  const Variable* get(VariableId id) const;
+  void set(VariableId id, Value value);
+  void mark_parameter(VariableId id);
+  void undefine(VariableId id);
+  // In order of first mention; undefined rows included.
+  std::size_t rows() const { return values_.size(); }
+  // Takes over the ids of another scene's names and forgets all values (a new scene in the same session).
+  void restart_like(const Variables& other);
+
+ private:
+  Variable& row(VariableId id);
+
+  std::shared_ptr<VariableNames> names_;
+  std::vector<Variable> values_;
+};
+
+}  // namespace lamella::language

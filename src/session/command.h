@@ -1,0 +1,5 @@
+#pragma once
+#include <span>
+namespace lamella::session {
+struct Command;
+}
