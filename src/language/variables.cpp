@@ -23,6 +23,12 @@ const Variable* Variables::find(std::string_view name) const {
   return names_->find(name, id) ? get(id) : nullptr;
 }
 
+std::optional<VariableId> Variables::find_id(std::string_view name) const {
+  VariableId id;
+  if (names_->find(name, id) && get(id) != nullptr) return id;
+  return std::nullopt;
+}
+
 const Variable* Variables::get(VariableId id) const {
   return id.row < values_.size() && values_[id.row].defined ? &values_[id.row] : nullptr;
 }
@@ -38,9 +44,13 @@ void Variables::set(VariableId id, Value value) {
   variable.defined = true;
 }
 
-void Variables::mark_parameter(VariableId id) { row(id).parameter = true; }
+void Variables::mark_parameter(VariableId id) {
+  row(id).parameter = true;
+}
 
-void Variables::undefine(VariableId id) { row(id) = {}; }
+void Variables::undefine(VariableId id) {
+  row(id) = {};
+}
 
 void Variables::restart_like(const Variables& other) {
   names_ = other.names_;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -49,11 +50,19 @@ class Variables {
   // Null where no such variable is defined.
   const Variable* find(std::string_view name) const;
   const Variable* get(VariableId id) const;
+  std::optional<VariableId> find_id(std::string_view name) const;
   void set(VariableId id, Value value);
   void mark_parameter(VariableId id);
   void undefine(VariableId id);
   // In order of first mention; undefined rows included.
   std::size_t rows() const { return values_.size(); }
+  // Calls function(VariableId, const Variable&) for each defined variable, in that order.
+  template <class Function>
+  void for_each(Function&& function) const {
+    for (std::uint32_t i = 0; i < values_.size(); ++i) {
+      if (values_[i].defined) function(VariableId{i}, values_[i]);
+    }
+  }
   // Takes over the ids of another scene's names and forgets all values (a new scene in the same session).
   void restart_like(const Variables& other);
 
