@@ -77,4 +77,10 @@ BEGIN {
   for (k = 0; k < n; k++) for (j = 0; j < n; j++) for (i = 0; i < n; i++)
     print ++body "  -" wall_x(i,j,k) " " wall_x(i+1,j,k) " -" wall_y(i,j,k) " " wall_y(i,j+1,k) \
           " -" wall_z(i,j,k) " " wall_z(i,j,k+1) "  volume side_length^3"
+
+  print ""
+  print "read"
+  print ""
+  print "// Type `gogo` to relax."
+  print "gogo := { r; u; g 20; r; u; V; g 40 }"
 }'
