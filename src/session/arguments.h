@@ -1,0 +1,219 @@
+// What a command takes, as a table: the same table parses a line, checks it, completes it on Tab and prints
+// the usage.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "language/elements.h"
+#include "language/expression.h"
+#include "text/source.h"
+
+namespace lamella::session {
+
+// --- kinds of values that an option may have, besides double, long, bool, std::string and std::array<double,
+// n>; std::optional of any of them tells whether it was given.
+
+// A path: a quoted string, a string variable or a bare word such as ../out-2.png.
+struct File {
+  std::string path;
+  text::Place place;
+};
+
+// A bare word.
+struct Word {
+  std::string text;
+  text::Place place;
+};
+
+// Elements picked out: `vertices where x > 1`, `edge[5]`, `facet[2].edge`. In the order of their rows.
+struct Elements {
+  language::ElementKind kind = language::ElementKind::vertex;
+  std::vector<language::Element> list;
+};
+
+// Elements not yet picked out.
+struct Selection {
+  const language::Generator* generator = nullptr;
+};
+
+// Expressions not yet evaluated, separated by commas.
+struct Expressions {
+  std::vector<const language::Expression*> list;
+};
+
+// `vertex x x+1 where id < 5`: elements, one of their attributes, and its new value (null: none is given).
+struct Setting {
+  const language::Generator* generator = nullptr;
+  const language::AttributeUse* attribute = nullptr;
+  const language::Expression* value = nullptr;
+  text::Place place;  // of the attribute's name
+};
+
+// `width real`, `vertex attribute heat real[3]`
+struct Definition {
+  std::string name;
+  std::string type;  // real, integer or string
+  std::optional<language::ElementKind> attribute_of;
+  std::vector<const language::Expression*> sizes;
+  text::Place place;  // of the name
+};
+
+// The text of a procedure, by its name.
+struct ProcedureName {
+  std::string name;
+};
+
+// What `print` may be given.
+using Printable = std::variant<ProcedureName, const language::Expression*>;
+
+// --- the table
+
+enum class ArgumentKind : std::uint8_t {
+  number,
+  count,  // a whole number
+  text,
+  file,
+  word,
+  flag,
+  numbers,  // as many as there are, separated by commas: (1, 0, 0)
+  elements,
+  selection,
+  expressions,
+  setting,
+  definition,
+  printable,
+};
+
+// The value of an argument, as it reaches the options.
+using GivenValue = std::variant<double, long, std::string, File, Word, bool, std::vector<double>, Elements,
+                                Selection, Expressions, Setting, Definition, Printable>;
+
+struct Argument {
+  std::string name;
+  std::string help;
+  ArgumentKind kind = ArgumentKind::number;
+  bool named = false;  // its name is typed before the value, or alone if a flag
+  bool needed = false;
+  std::vector<std::string> choices;  // of a text: the only words it may be
+  std::string word_for_none;         // a word that leaves the option unset, such as `auto`
+  std::optional<double> least;       // bounds of numbers
+  bool least_excluded = false;
+  std::optional<double> most;
+  std::size_t how_many = 1;  // of numbers
+  std::function<void(void* options, const GivenValue& value)> store;
+};
+
+namespace detail {
+
+template <class T>
+struct Unwrapped {
+  using Type = T;
+};
+template <class T>
+struct Unwrapped<std::optional<T>> {
+  using Type = T;
+};
+
+// How a member of an options struct is filled: the kind of argument, and the conversion from what was given.
+template <class T>
+struct Filled;
+
+template <ArgumentKind argument_kind, class T>
+struct FilledAs {
+  static constexpr ArgumentKind kind = argument_kind;
+  static constexpr std::size_t how_many = 1;
+  static T from(const GivenValue& value) { return std::get<T>(value); }
+};
+
+template <>
+struct Filled<double> : FilledAs<ArgumentKind::number, double> {};
+template <>
+struct Filled<long> : FilledAs<ArgumentKind::count, long> {};
+template <>
+struct Filled<int> : FilledAs<ArgumentKind::count, int> {
+  static int from(const GivenValue& value) { return static_cast<int>(std::get<long>(value)); }
+};
+template <>
+struct Filled<std::string> : FilledAs<ArgumentKind::text, std::string> {};
+template <>
+struct Filled<bool> : FilledAs<ArgumentKind::flag, bool> {};
+template <>
+struct Filled<File> : FilledAs<ArgumentKind::file, File> {};
+template <>
+struct Filled<Word> : FilledAs<ArgumentKind::word, Word> {};
+template <>
+struct Filled<Elements> : FilledAs<ArgumentKind::elements, Elements> {};
+template <>
+struct Filled<Selection> : FilledAs<ArgumentKind::selection, Selection> {};
+template <>
+struct Filled<Expressions> : FilledAs<ArgumentKind::expressions, Expressions> {};
+template <>
+struct Filled<Setting> : FilledAs<ArgumentKind::setting, Setting> {};
+template <>
+struct Filled<Definition> : FilledAs<ArgumentKind::definition, Definition> {};
+template <>
+struct Filled<Printable> : FilledAs<ArgumentKind::printable, Printable> {};
+template <std::size_t n>
+struct Filled<std::array<double, n>> {
+  static constexpr ArgumentKind kind = ArgumentKind::numbers;
+  static constexpr std::size_t how_many = n;
+  static std::array<double, n> from(const GivenValue& value) {
+    std::array<double, n> result{};
+    const auto& given = std::get<std::vector<double>>(value);
+    for (std::size_t i = 0; i < n; ++i) result[i] = given[i];
+    return result;
+  }
+};
+
+}  // namespace detail
+
+// An argument of a command with these options; the calls refine it, as in positional(...).at_least(1).
+template <class Options>
+struct ArgumentOf : Argument {
+  ArgumentOf required() && { return needed = true, std::move(*this); }
+  ArgumentOf at_least(double bound) && { return least = bound, std::move(*this); }
+  ArgumentOf above(double bound) && { return least = bound, least_excluded = true, std::move(*this); }
+  ArgumentOf at_most(double bound) && { return most = bound, std::move(*this); }
+  ArgumentOf one_of(std::vector<std::string> words) && {
+    return choices = std::move(words), std::move(*this);
+  }
+  ArgumentOf or_word(std::string word) && { return word_for_none = std::move(word), std::move(*this); }
+};
+
+// A value at its place in the line: `evolve 100`. A positional argument that is not required may be left out;
+// the next one is tried with what is typed (`refine 2`, `refine edges where ...`).
+template <class Options, class T>
+ArgumentOf<Options> positional(std::string name, T Options::*member, std::string help) {
+  using Member = detail::Filled<typename detail::Unwrapped<T>::Type>;
+  ArgumentOf<Options> result;
+  result.name = std::move(name);
+  result.help = std::move(help);
+  result.kind = Member::kind;
+  result.how_many = Member::how_many;
+  result.store = [member](void* options, const GivenValue& value) {
+    static_cast<Options*>(options)->*member = Member::from(value);
+  };
+  return result;
+}
+
+// A value after its name, anywhere in the line: `dt 0.01` or `dt=0.01`.
+template <class Options, class T>
+ArgumentOf<Options> option(std::string name, T Options::*member, std::string help) {
+  ArgumentOf<Options> result = positional(std::move(name), member, std::move(help));
+  result.named = true;
+  return result;
+}
+
+// A word that is there or not.
+template <class Options>
+ArgumentOf<Options> flag(std::string name, bool Options::*member, std::string help) {
+  return option(std::move(name), member, std::move(help));
+}
+
+}  // namespace lamella::session
