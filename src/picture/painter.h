@@ -1,0 +1,52 @@
+// Draws a drawing, tile by tile, to fragments in memory.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "picture/blending.h"
+#include "picture/drawing.h"
+#include "picture/style.h"
+
+namespace lamella::picture {
+
+// A rectangle of samples in a picture of `picture_width` times `picture_height` samples; x and y of its upper
+// left sample, counted from the upper left of the picture.
+struct Tile {
+  int picture_width = 0;
+  int picture_height = 0;
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+// What a tile shows. Rows run from the bottom to the top; the views are valid until the next tile is painted.
+struct PaintedTile {
+  int width = 0;
+  std::span<const std::uint32_t> first;  // one a sample: the first of its fragments, or Fragment::end_of_list
+  std::span<const Fragment> fragments;   // films, but for those hidden behind a tube
+  std::span<const float> opaque;         // four a sample: light of a tube and 1, or zeros
+};
+
+class Painter {
+ public:
+  // Both outlive the painter.
+  Painter(const Drawing& drawing, const Style& style);
+  ~Painter();
+
+  void look_through(const Camera& camera);
+
+  // The largest width and height of a tile.
+  static constexpr int largest_tile = 1024;
+
+  // False where the tile shows more fragments than there is room for: try smaller ones.
+  bool paint(const Tile& tile, PaintedTile& painted);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lamella::picture
