@@ -1,8 +1,8 @@
 #include "film/check.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace lamella::film {
 
@@ -39,8 +39,8 @@ void check_sizes(const Film& film, Findings& findings) {
     film.columns(kind).for_each([&](const Column& column) {
       const std::size_t has = std::visit([](const auto& values) { return values.size(); }, column.data);
       if (has != wanted * static_cast<std::size_t>(column.width)) {
-        findings.add("the {} column \"{}\" has {} values for {} rows of {}", name_of(kind), column.name, has, wanted,
-                     column.width);
+        findings.add("the {} column \"{}\" has {} values for {} rows of {}", name_of(kind), column.name, has,
+                     wanted, column.width);
       }
     });
   }
@@ -63,7 +63,8 @@ void check_vertices(const Film& film, Findings& findings) {
   for (std::uint32_t i = 0; i < film.vertex_rows() && !findings.full(); ++i) {
     const Vertex v(i);
     if (!film.alive(v)) continue;
-    if (!is_finite(film.position(v))) findings.add("vertex {} has a coordinate that is not finite", film.number(v));
+    if (!is_finite(film.position(v)))
+      findings.add("vertex {} has a coordinate that is not finite", film.number(v));
     const EdgeEnd end = film.first_end(v);
     if (end.valid() && (!film.alive(end.edge()) || film.at(end) != v)) {
       findings.add("vertex {} refers to an edge that does not end at it", film.number(v));
@@ -146,7 +147,8 @@ void check_edge_rings(const Film& film, Findings& findings) {
 
 // The turn from one apex direction to the next about the edge's axis, in [0, 2 pi).
 double turn(const Vec3& axis, const Vec3& from, const Vec3& to) {
-  const double angle = std::atan2(dot(cross(from, to), axis), dot(from, to) - dot(from, axis) * dot(to, axis));
+  const double angle =
+      std::atan2(dot(cross(from, to), axis), dot(from, to) - dot(from, axis) * dot(to, axis));
   return angle < 0 ? angle + 2 * M_PI : angle;
 }
 

@@ -22,23 +22,27 @@ Value converted(double value) {
 
 std::string_view name_of(ElementKind kind) {
   switch (kind) {
-    case ElementKind::vertex: return "vertex";
-    case ElementKind::edge: return "edge";
-    case ElementKind::facet: return "facet";
-    case ElementKind::body: return "body";
+    case ElementKind::vertex:
+      return "vertex";
+    case ElementKind::edge:
+      return "edge";
+    case ElementKind::facet:
+      return "facet";
+    case ElementKind::body:
+      return "body";
   }
   return "";
 }
 
 double Column::value(std::uint32_t row, int component) const {
-  const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                         static_cast<std::size_t>(component);
+  const std::size_t at =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(component);
   return std::visit([&](const auto& values) { return static_cast<double>(values[at]); }, data);
 }
 
 void Column::set(std::uint32_t row, int component, double value) {
-  const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                         static_cast<std::size_t>(component);
+  const std::size_t at =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(component);
   std::visit(
       [&](auto& values) {
         using Value = typename std::decay_t<decltype(values)>::value_type;
@@ -101,6 +105,13 @@ const Column* Columns::find(std::string_view name) const {
     if (column->name == name) return &*column;
   }
   return nullptr;
+}
+
+std::uint64_t Columns::revision(std::string_view name) const {
+  for (const Shared<Column>& column : columns_) {
+    if (column->name == name) return column.revision();
+  }
+  return 0;
 }
 
 Column* Columns::edit(std::string_view name) {

@@ -58,13 +58,16 @@ struct Column {
   void renumber(std::span<const std::uint32_t> old_of_new);
 };
 
-// The columns of one kind of element. Looking one up is a short linear search by name; hot loops hold the span.
+// The columns of one kind of element. Looking one up is a short linear search by name; hot loops hold the
+// span.
 class Columns {
  public:
   std::size_t rows() const { return rows_; }
   void resize(std::size_t rows);
 
   const Column* find(std::string_view name) const;
+  // A number that changes whenever the column may have; 0 where there is none.
+  std::uint64_t revision(std::string_view name) const;
   // Null where there is none. The column becomes this holder's own.
   Column* edit(std::string_view name);
   // Adds a column filled with its blank value; replaces one of the same name.

@@ -11,7 +11,8 @@ using Order = std::span<const std::uint32_t>;
 
 std::vector<std::uint32_t> inverse(Order old_of_new, std::size_t old_rows) {
   std::vector<std::uint32_t> new_of_old(old_rows, no_index);
-  for (std::size_t i = 0; i < old_of_new.size(); ++i) new_of_old[old_of_new[i]] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < old_of_new.size(); ++i)
+    new_of_old[old_of_new[i]] = static_cast<std::uint32_t>(i);
   return new_of_old;
 }
 
@@ -80,7 +81,8 @@ void Film::renumber(Order vertices, Order edges, Order triangles) {
   }
   c.next_side.reserve(3 * triangles.size());
   for (const std::uint32_t t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) c.next_side.push_back(moved_side(old.next_side[3 * std::size_t{t} + k]));
+    for (std::size_t k = 0; k < 3; ++k)
+      c.next_side.push_back(moved_side(old.next_side[3 * std::size_t{t} + k]));
   }
   c.edge_vertices = picked(old.edge_vertices, edges);
   c.edge_side = picked(old.edge_side, edges);

@@ -7,7 +7,8 @@
 namespace lamella::film {
 
 bool Film::is_compact() const {
-  return connectivity_->dead_vertices == 0 && connectivity_->dead_edges == 0 && connectivity_->dead_triangles == 0;
+  return connectivity_->dead_vertices == 0 && connectivity_->dead_edges == 0 &&
+         connectivity_->dead_triangles == 0;
 }
 
 // With the edge along z and the opposite corner along x, the normal of a side that runs along the edge is y:
@@ -65,7 +66,7 @@ Edge Film::add_edge(Vertex tail, Vertex head) {
   return e;
 }
 
-Triangle Film::add_triangle(const std::array<SignedEdge, 3>& edges, RegionPair regions) {
+Triangle Film::add_unlinked_triangle(const std::array<SignedEdge, 3>& edges, RegionPair regions) {
   for (std::size_t k = 0; k < 3; ++k) assert(head(edges[k]) == tail(edges[(k + 1) % 3]));
   Connectivity& c = connectivity_.edit();
   const Triangle t(c.triangle_vertices.size());
@@ -73,10 +74,43 @@ Triangle Film::add_triangle(const std::array<SignedEdge, 3>& edges, RegionPair r
   c.triangle_edges.push_back(edges);
   c.triangle_regions.push_back(regions);
   c.next_side.resize(c.next_side.size() + 3);
-  for (int k = 0; k < 3; ++k) insert_side(Side(t, k), edges[static_cast<std::size_t>(k)].edge());
   columns_[2].resize(c.triangle_vertices.size());
   if (!numbers_[2]->of_row.empty()) numbers_[2].edit().append();
   return t;
+}
+
+Triangle Film::add_triangle(const std::array<SignedEdge, 3>& edges, RegionPair regions) {
+  const Triangle t = add_unlinked_triangle(edges, regions);
+  for (int k = 0; k < 3; ++k) insert_side(Side(t, k), edges[static_cast<std::size_t>(k)].edge());
+  return t;
+}
+
+void Film::rewrite(Triangle t, const std::array<SignedEdge, 3>& edges) {
+  Connectivity& c = connectivity_.edit();
+  c.triangle_edges[t.index] = edges;
+  for (std::size_t k = 0; k < 3; ++k) c.triangle_vertices[t.index][k] = tail(edges[k]);
+}
+
+void Film::set_ring(Edge e, std::span<const Side> sides) {
+  Connectivity& c = connectivity_.edit();
+  c.edge_side[e.index] = sides.empty() ? Side{} : sides[0];
+  for (std::size_t i = 0; i < sides.size(); ++i) c.next_side[sides[i].index] = sides[(i + 1) % sides.size()];
+}
+
+void Film::replace_in_ring(Edge e, Side old, Side made) {
+  Connectivity& c = connectivity_.edit();
+  Side before = old;
+  while (c.next_side[before.index] != old) before = c.next_side[before.index];
+  const Side after = c.next_side[old.index];
+  c.next_side[made.index] = after == old ? made : after;
+  if (before != old) c.next_side[before.index] = made;
+  if (c.edge_side[e.index] == old) c.edge_side[e.index] = made;
+}
+
+void Film::reattach(EdgeEnd end, Vertex to) {
+  remove_end(end, at(end));
+  connectivity_.edit().edge_vertices[end.edge().index][static_cast<std::size_t>(end.end())] = to;
+  insert_end(end, to);
 }
 
 void Film::remove(Triangle t) {
@@ -181,7 +215,8 @@ void Film::sort_sides(Edge e) {
     if (placed.angle < 0) placed.angle += 2 * M_PI;
   }
   sides[0].angle = 0;
-  std::stable_sort(sides.begin() + 1, sides.end(), [](const Placed& a, const Placed& b) { return a.angle < b.angle; });
+  std::stable_sort(sides.begin() + 1, sides.end(),
+                   [](const Placed& a, const Placed& b) { return a.angle < b.angle; });
   Connectivity& c = connectivity_.edit();
   for (std::size_t i = 0; i < sides.size(); ++i) {
     c.next_side[sides[i].side.index] = sides[(i + 1) % sides.size()].side;
@@ -215,7 +250,16 @@ void Film::columns_follow_rows() {
   columns_[2].resize(triangle_rows());
 }
 
-void Film::inherit(Vertex made, Edge split) { inherit(made, ends(split)[0], ends(split)[1], split); }
+void Film::take_complex(Film&& other) {
+  connectivity_ = std::move(other.connectivity_);
+  positions_ = std::move(other.positions_);
+  restart_numbers();
+  columns_follow_rows();
+}
+
+void Film::inherit(Vertex made, Edge split) {
+  inherit(made, ends(split)[0], ends(split)[1], split);
+}
 
 void Film::inherit(Vertex made, Vertex a, Vertex b, Edge split) {
   columns_[0].edit_each([&](Column& column) {
@@ -304,8 +348,9 @@ std::size_t Film::bytes() const {
   const auto size = [](const auto& v) { return v.size() * sizeof(v[0]); };
   std::size_t total = 0;
   for (const Shared<Numbers>& numbers : numbers_) total += size(numbers->of_row);
-  return total + size(c.triangle_vertices) + size(c.triangle_edges) + size(c.triangle_regions) + size(c.next_side) +
-         size(c.edge_vertices) + size(c.edge_side) + size(c.next_end) + size(c.vertex_end) + size(*positions_);
+  return total + size(c.triangle_vertices) + size(c.triangle_edges) + size(c.triangle_regions) +
+         size(c.next_side) + size(c.edge_vertices) + size(c.edge_side) + size(c.next_end) +
+         size(c.vertex_end) + size(*positions_);
 }
 
 std::size_t Film::bytes_with_columns() const {

@@ -2,14 +2,14 @@
 //
 // Every element is a row in flat arrays, addressed by a typed 32-bit id:
 //
-//   triangle   3 corners, 3 signed edges (edge k runs from corner k to corner k+1), the regions on its two sides
-//   side       3t+k; the next side around the same edge
-//   edge       2 ends, one of its sides, the next edge around each end
-//   vertex     position, one of its edges
+//   triangle   3 corners, 3 signed edges (edge k runs from corner k to corner k+1), the regions on its two
+//   sides side       3t+k; the next side around the same edge edge       2 ends, one of its sides, the next
+//   edge around each end vertex     position, one of its edges
 //
 // An edge without a side is a wire, with one a rim, with two lies inside a film, with three or more is a
 // Plateau border: no case is special. A film open on all sides has the same region in front and behind.
-// The sides around an edge are kept in geometric cyclic order, counterclockwise about the edge's own direction.
+// The sides around an edge are kept in geometric cyclic order, counterclockwise about the edge's own
+// direction.
 //
 // An optional column (film/column.h) adds data to each element of a kind. Elements that are removed leave
 // tombstones until `compact`; a film without tombstones is compact, and solvers ask for that (`view`).
@@ -42,16 +42,17 @@ struct EdgeEnd {
   friend constexpr auto operator<=>(const EdgeEnd&, const EdgeEnd&) = default;
 };
 
-// The arrays. A tombstone is a triangle or edge whose first vertex is invalid, and a vertex in `dead_vertex` state.
+// The arrays. A tombstone is a triangle or edge whose first vertex is invalid, and a vertex in `dead_vertex`
+// state.
 struct Connectivity {
   std::vector<std::array<Vertex, 3>> triangle_vertices;
   std::vector<std::array<SignedEdge, 3>> triangle_edges;
   std::vector<RegionPair> triangle_regions;
-  std::vector<Side> next_side;                    // a ring through the sides of one edge; 3 a triangle
+  std::vector<Side> next_side;                       // a ring through the sides of one edge; 3 a triangle
   std::vector<std::array<Vertex, 2>> edge_vertices;  // tail, head
-  std::vector<Side> edge_side;                    // one of the edge's sides; invalid for a wire
-  std::vector<std::array<EdgeEnd, 2>> next_end;   // a ring through the edge ends at one vertex
-  std::vector<EdgeEnd> vertex_end;                // one of the edge ends at the vertex; invalid if isolated
+  std::vector<Side> edge_side;                       // one of the edge's sides; invalid for a wire
+  std::vector<std::array<EdgeEnd, 2>> next_end;      // a ring through the edge ends at one vertex
+  std::vector<EdgeEnd> vertex_end;  // one of the edge ends at the vertex; invalid if isolated
   std::uint32_t dead_vertices = 0;
   std::uint32_t dead_edges = 0;
   std::uint32_t dead_triangles = 0;
@@ -61,10 +62,10 @@ inline constexpr EdgeEnd dead_vertex{0xfffffffeU};
 
 // What solvers see: a compact film's arrays, valid until the film is changed.
 struct View {
-  std::span<const Vec3> positions;                       // one a vertex
-  std::span<const std::array<Vertex, 3>> triangles;      // corners, counterclockwise seen from the front
-  std::span<const RegionPair> regions;                   // one a triangle
-  std::span<const std::array<Vertex, 2>> edges;          // tail, head
+  std::span<const Vec3> positions;                   // one a vertex
+  std::span<const std::array<Vertex, 3>> triangles;  // corners, counterclockwise seen from the front
+  std::span<const RegionPair> regions;               // one a triangle
+  std::span<const std::array<Vertex, 2>> edges;      // tail, head
   std::uint64_t connectivity_revision = 0;
 };
 
@@ -73,13 +74,21 @@ class Film {
   // --- counts: rows include tombstones
   std::uint32_t vertex_rows() const { return static_cast<std::uint32_t>(connectivity_->vertex_end.size()); }
   std::uint32_t edge_rows() const { return static_cast<std::uint32_t>(connectivity_->edge_vertices.size()); }
-  std::uint32_t triangle_rows() const { return static_cast<std::uint32_t>(connectivity_->triangle_vertices.size()); }
+  std::uint32_t triangle_rows() const {
+    return static_cast<std::uint32_t>(connectivity_->triangle_vertices.size());
+  }
   std::uint32_t vertex_count() const { return vertex_rows() - connectivity_->dead_vertices; }
   std::uint32_t edge_count() const { return edge_rows() - connectivity_->dead_edges; }
   std::uint32_t triangle_count() const { return triangle_rows() - connectivity_->dead_triangles; }
-  bool alive(Vertex v) const { return v.index < vertex_rows() && connectivity_->vertex_end[v.index] != dead_vertex; }
-  bool alive(Edge e) const { return e.index < edge_rows() && connectivity_->edge_vertices[e.index][0].valid(); }
-  bool alive(Triangle t) const { return t.index < triangle_rows() && connectivity_->triangle_vertices[t.index][0].valid(); }
+  bool alive(Vertex v) const {
+    return v.index < vertex_rows() && connectivity_->vertex_end[v.index] != dead_vertex;
+  }
+  bool alive(Edge e) const {
+    return e.index < edge_rows() && connectivity_->edge_vertices[e.index][0].valid();
+  }
+  bool alive(Triangle t) const {
+    return t.index < triangle_rows() && connectivity_->triangle_vertices[t.index][0].valid();
+  }
   bool is_compact() const;
 
   // --- reading the complex
@@ -91,12 +100,16 @@ class Film {
   SignedEdge edge_of(Side s) const { return edges(s.triangle())[static_cast<std::size_t>(s.corner())]; }
   Vertex tail(SignedEdge e) const { return ends(e.edge())[e.reversed() ? 1 : 0]; }
   Vertex head(SignedEdge e) const { return ends(e.edge())[e.reversed() ? 0 : 1]; }
-  Vertex opposite(Side s) const { return corners(s.triangle())[static_cast<std::size_t>(previous_corner(s.corner()))]; }
+  Vertex opposite(Side s) const {
+    return corners(s.triangle())[static_cast<std::size_t>(previous_corner(s.corner()))];
+  }
   Vertex at(EdgeEnd end) const { return ends(end.edge())[static_cast<std::size_t>(end.end())]; }
   Side first_side(Edge e) const { return connectivity_->edge_side[e.index]; }
   Side next_around(Side s) const { return connectivity_->next_side[s.index]; }
   EdgeEnd first_end(Vertex v) const { return connectivity_->vertex_end[v.index]; }
-  EdgeEnd next_around(EdgeEnd end) const { return connectivity_->next_end[end.edge().index][static_cast<std::size_t>(end.end())]; }
+  EdgeEnd next_around(EdgeEnd end) const {
+    return connectivity_->next_end[end.edge().index][static_cast<std::size_t>(end.end())];
+  }
   // The region met next when turning counterclockwise about the edge from this side, and the one before it.
   Region region_after(Side s) const;
   Region region_before(Side s) const;
@@ -125,7 +138,7 @@ class Film {
       end = next;
     } while (end != first);
   }
-  int valence(Edge e) const;   // number of sides
+  int valence(Edge e) const;    // number of sides
   int valence(Vertex v) const;  // number of edge ends
   // The edge between two vertices (the first found, where a film has several), or an invalid one.
   SignedEdge find_edge(Vertex from, Vertex to) const;
@@ -147,7 +160,17 @@ class Film {
   void remove(Triangle t);
   void remove(Edge e);    // must be a wire
   void remove(Vertex v);  // must be isolated
-  void set_regions(Triangle t, RegionPair regions) { connectivity_.edit().triangle_regions[t.index] = regions; }
+  // For surgery that keeps ring order by itself: a triangle in no ring yet; new edges for a triangle, rings
+  // untouched; a ring given whole (each side once); a side put in another's place in its ring.
+  Triangle add_unlinked_triangle(const std::array<SignedEdge, 3>& edges, RegionPair regions);
+  void rewrite(Triangle t, const std::array<SignedEdge, 3>& edges);
+  void set_ring(Edge e, std::span<const Side> sides);
+  void replace_in_ring(Edge e, Side old, Side made);
+  // Lets an edge end at another vertex; triangles are not told.
+  void reattach(EdgeEnd end, Vertex to);
+  void set_regions(Triangle t, RegionPair regions) {
+    connectivity_.edit().triangle_regions[t.index] = regions;
+  }
   void sort_sides(Edge e);
   void sort_all_sides();
   void reserve(std::size_t vertices, std::size_t edges, std::size_t triangles);
@@ -156,14 +179,18 @@ class Film {
   Connectivity& edit_connectivity() { return connectivity_.edit(); }
   std::vector<Vec3>& edit_position_rows() { return positions_.edit(); }
   void columns_follow_rows();
+  // Takes over another film's complex and positions; columns stay and grow or shrink to its rows, numbers
+  // start again.
+  void take_complex(Film&& other);
 
   // --- columns
   const Columns& columns(ElementKind kind) const { return columns_[static_cast<std::size_t>(kind)]; }
   Columns& columns(ElementKind kind) { return columns_[static_cast<std::size_t>(kind)]; }
   // Inheritance (film/column.h), for whoever makes elements:
-  void inherit(Vertex made, Edge split);          // made on an edge, between its present ends
-  void inherit(Vertex made, Vertex a, Vertex b, Edge split);  // the same, where the edge no longer ends at a and b
-  void inherit(Vertex made, Triangle inside);     // made inside a facet
+  void inherit(Vertex made, Edge split);  // made on an edge, between its present ends
+  void inherit(Vertex made, Vertex a, Vertex b,
+               Edge split);                    // the same, where the edge no longer ends at a and b
+  void inherit(Vertex made, Triangle inside);  // made inside a facet
   void inherit(Edge half, Edge split);
   void inherit(Edge made, Triangle inside);
   void inherit(Triangle part, Triangle whole);
@@ -213,7 +240,7 @@ class Film {
   Shared<Connectivity> connectivity_;
   Shared<std::vector<Vec3>> positions_;
   std::array<Shared<Numbers>, 3> numbers_;  // vertex, edge, facet
-  std::array<Columns, 3> columns_;  // vertex, edge, facet
+  std::array<Columns, 3> columns_;          // vertex, edge, facet
 };
 
 // The direction from an edge to the opposite corner of a side, for ordering sides around it.

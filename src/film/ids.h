@@ -50,8 +50,12 @@ struct Side {
   friend constexpr auto operator<=>(const Side&, const Side&) = default;
 };
 
-constexpr int next_corner(int k) { return k == 2 ? 0 : k + 1; }
-constexpr int previous_corner(int k) { return k == 0 ? 2 : k - 1; }
+constexpr int next_corner(int k) {
+  return k == 2 ? 0 : k + 1;
+}
+constexpr int previous_corner(int k) {
+  return k == 0 ? 2 : k - 1;
+}
 
 // An edge walked along its direction or against it: the datafile's 5 or -5.
 struct SignedEdge {

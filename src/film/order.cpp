@@ -57,7 +57,8 @@ std::vector<std::uint64_t> curve_places(std::span<const Vec3> positions) {
   for (const Vec3& p : positions) {
     std::array<std::uint32_t, 3> cell{};
     for (int axis = 0; axis < 3; ++axis) {
-      cell[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>((p[axis] - low[axis]) / extent * cells);
+      cell[static_cast<std::size_t>(axis)] =
+          static_cast<std::uint32_t>((p[axis] - low[axis]) / extent * cells);
     }
     places.push_back(hilbert_index(cell));
   }
@@ -68,7 +69,8 @@ template <class Key>
 std::vector<std::uint32_t> sorted_rows(std::uint32_t rows, Key&& key) {
   std::vector<std::uint32_t> order(rows);
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   return order;
 }
 
@@ -77,7 +79,8 @@ std::vector<std::uint32_t> sorted_rows(std::uint32_t rows, Key&& key) {
 void restore_spatial_order(Film& film) {
   if (film.vertex_rows() == 0) return;
   const std::vector<std::uint64_t> place = curve_places(film.positions());
-  const std::vector<std::uint32_t> vertices = sorted_rows(film.vertex_rows(), [&](std::uint32_t v) { return place[v]; });
+  const std::vector<std::uint32_t> vertices =
+      sorted_rows(film.vertex_rows(), [&](std::uint32_t v) { return place[v]; });
   std::vector<std::uint32_t> rank(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) rank[vertices[i]] = static_cast<std::uint32_t>(i);
 
@@ -87,8 +90,10 @@ void restore_spatial_order(Film& film) {
     return first;
   };
   film.renumber(
-      vertices, sorted_rows(film.edge_rows(), [&](std::uint32_t e) { return first_corner(film.ends(Edge(e))); }),
-      sorted_rows(film.triangle_rows(), [&](std::uint32_t t) { return first_corner(film.corners(Triangle(t))); }));
+      vertices,
+      sorted_rows(film.edge_rows(), [&](std::uint32_t e) { return first_corner(film.ends(Edge(e))); }),
+      sorted_rows(film.triangle_rows(),
+                  [&](std::uint32_t t) { return first_corner(film.corners(Triangle(t))); }));
 }
 
 double mean_row_distance(const Film& film) {

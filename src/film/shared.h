@@ -27,7 +27,7 @@ class Shared {
   std::uint64_t revision() const { return revision_; }
 
   T& edit() {
-    if (value_.use_count() > 1) value_ = std::make_shared<T>(*value_);
+    if (value_.use_count() != 1) value_ = std::make_shared<T>(*value_);
     revision_ = next_revision();
     return *value_;
   }

@@ -26,15 +26,21 @@ struct Vec3 {
   friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-constexpr double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-constexpr double squared_length(const Vec3& a) { return dot(a, a); }
+constexpr double squared_length(const Vec3& a) {
+  return dot(a, a);
+}
 
-inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+inline double length(const Vec3& a) {
+  return std::sqrt(dot(a, a));
+}
 
 // The unit vector along a; zero stays zero.
 inline Vec3 unit(const Vec3& a) {
@@ -42,9 +48,13 @@ inline Vec3 unit(const Vec3& a) {
   return l > 0 ? a / l : Vec3{};
 }
 
-inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+inline bool is_finite(const Vec3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 // The angle between two directions, in [0, pi], accurate near both ends.
-inline double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+inline double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
 
 }  // namespace lamella::film

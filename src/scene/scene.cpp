@@ -13,16 +13,18 @@ std::uint32_t body_count(const Scene& scene) {
       std::count_if(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return !b.absent; }));
 }
 
+double target_at(const Body& body, double time) {
+  if (!body.ramp) return *body.target_volume;
+  const VolumeRamp& r = *body.ramp;
+  if (time >= r.end) return r.to;
+  return r.from + std::max(0.0, (time - r.begin) / (r.end - r.begin)) * (r.to - r.from);
+}
+
 void advance_targets(Scene& scene, double time) {
   for (Body& body : scene.bodies) {
     if (!body.ramp) continue;
-    const VolumeRamp& r = *body.ramp;
-    const double part = r.end > r.begin ? std::clamp((time - r.begin) / (r.end - r.begin), 0.0, 1.0) : 1.0;
-    body.target_volume = r.from + part * (r.to - r.from);
-    if (time >= r.end) {
-      body.target_volume = r.to;
-      body.ramp.reset();
-    }
+    body.target_volume = target_at(body, time);
+    if (time >= body.ramp->end) body.ramp.reset();
   }
 }
 

@@ -15,7 +15,8 @@
 
 namespace lamella::scene {
 
-// A change of a target volume spread over time: linear from `from` at `begin` to `to` at `end` (times are total_time).
+// A change of a target volume spread over time: linear from `from` at `begin` to `to` at `end` (times are
+// total_time).
 struct VolumeRamp {
   double from = 0;
   double to = 0;
@@ -23,8 +24,8 @@ struct VolumeRamp {
   double end = 0;
 };
 
-// A region with properties. Body b (row b-1 of Scene::bodies) is film::Region{b}. A region that surgery removes
-// leaves its row, marked absent, so that the numbers of the others stand.
+// A region with properties. Body b (row b-1 of Scene::bodies) is film::Region{b}. A region that surgery
+// removes leaves its row, marked absent, so that the numbers of the others stand.
 struct Body {
   std::uint32_t original = 0;            // its number in the datafile
   std::optional<double> target_volume;   // a fixed volume
@@ -64,14 +65,15 @@ struct Scene {
   language::Procedures procedures;
   Gravity gravity;
   DescentScale scale;
-  bool keep_volumes = true;        // vc on|off
-  bool symmetric_content = false;  // how the volume of a body that is not closed is measured (energy/volume.h)
-  double time = 0;                 // total_time
-  double damping = 0;              // 1/s, for evolve
-  std::string name;                // the datafile's path, empty for none
-  std::string title;               // its first comment lines, kept for saving
+  bool keep_volumes = true;  // vc on|off
+  bool symmetric_content =
+      false;           // how the volume of a body that is not closed is measured (energy/volume.h)
+  double time = 0;     // total_time
+  double damping = 0;  // 1/s, for evolve
+  std::string name;    // the datafile's path, empty for none
+  std::string title;   // its first comment lines, kept for saving
   std::vector<CosmeticLine> cosmetics;
-  std::string read_section;        // the text after READ, without procedures and variables
+  std::string read_section;  // the text after READ, without procedures and variables
 
   Body& body(film::Region r) { return bodies[r.index - 1]; }
   const Body& body(film::Region r) const { return bodies[r.index - 1]; }
@@ -82,7 +84,10 @@ struct Scene {
 // Bodies that exist.
 std::uint32_t body_count(const Scene& scene);
 
-// Moves targets that are on a ramp to their values at a time.
+// The target volume of a body at a time: on its ramp if it has one. The body must have a target.
+double target_at(const Body& body, double time);
+
+// Moves targets that are on a ramp to their values at a time; ramps that have ended go.
 void advance_targets(Scene& scene, double time);
 
 // The tension of a facet: 1 unless the film has a column "tension".

@@ -1,8 +1,8 @@
 #include "text/error.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 namespace lamella::text {
 
@@ -17,7 +17,9 @@ struct Excerpt {
   std::size_t width = 1;
 };
 
-bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+bool is_continuation(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
 
 // Bytes a terminal should not see become '?'; a tab becomes one space so that the caret stays below.
 std::string printable(std::string_view line) {
@@ -38,8 +40,8 @@ Excerpt excerpt(const Place& place) {
   const std::string_view line = line_of(place);
   const char* const begin = place.source->content.data();
   const std::size_t start = static_cast<std::size_t>(line.data() - begin);
-  const std::size_t at = std::min<std::size_t>(place.offset - std::min<std::size_t>(place.offset, start),
-                                               line.size());
+  const std::size_t at =
+      std::min<std::size_t>(place.offset - std::min<std::size_t>(place.offset, start), line.size());
   const std::size_t span = std::max<std::size_t>(1, std::min<std::size_t>(place.length, line.size() - at));
 
   std::size_t first = 0;
@@ -57,9 +59,9 @@ Excerpt excerpt(const Place& place) {
   Excerpt result;
   result.line = fmt::format("{}{}{}", before, printable(line.substr(first, last - first)), after);
   const auto characters = [&](std::size_t from, std::size_t to) {
-    return static_cast<std::size_t>(
-        std::count_if(line.begin() + static_cast<std::ptrdiff_t>(from),
-                      line.begin() + static_cast<std::ptrdiff_t>(to), [](char c) { return !is_continuation(c); }));
+    return static_cast<std::size_t>(std::count_if(line.begin() + static_cast<std::ptrdiff_t>(from),
+                                                  line.begin() + static_cast<std::ptrdiff_t>(to),
+                                                  [](char c) { return !is_continuation(c); }));
   };
   result.caret = before.size() + characters(first, at);
   result.width = std::max<std::size_t>(1, characters(at, std::min(at + span, last)));
@@ -70,8 +72,8 @@ std::string with_place(const Place& place, std::string_view what) {
   if (!place.known()) return fmt::format("{}\n", what);
   const LineColumn position = line_and_column(place);
   const Excerpt shown = excerpt(place);
-  return fmt::format("{}:{}:{}: {}\n  {}\n  {}^{}\n", place.source->name, position.line, position.column, what,
-                     shown.line, std::string(shown.caret, ' '), std::string(shown.width - 1, '~'));
+  return fmt::format("{}:{}:{}: {}\n  {}\n  {}^{}\n", place.source->name, position.line, position.column,
+                     what, shown.line, std::string(shown.caret, ' '), std::string(shown.width - 1, '~'));
 }
 
 }  // namespace
@@ -80,7 +82,8 @@ std::string render(const Diagnostic& diagnostic) {
   const std::string_view kind = diagnostic.severity == Severity::error ? "error" : "warning";
   std::string result = with_place(diagnostic.place, fmt::format("{}: {}", kind, diagnostic.message));
   if (!diagnostic.hint.empty()) result += fmt::format("  {}\n", diagnostic.hint);
-  for (const Note& note : diagnostic.notes) result += with_place(note.place, fmt::format("note: {}", note.message));
+  for (const Note& note : diagnostic.notes)
+    result += with_place(note.place, fmt::format("note: {}", note.message));
   return result;
 }
 

@@ -6,9 +6,13 @@ namespace lamella::text {
 
 namespace {
 
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+bool is_line_end(char c) {
+  return c == '\n' || c == '\r';
+}
 
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+bool continues_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
 
 std::size_t line_start(std::string_view content, std::size_t offset) {
   while (offset > 0 && !is_line_end(content[offset - 1])) --offset;

@@ -9,7 +9,8 @@
 namespace lamella::text {
 
 // The candidate with the fewest insertions, deletions, replacements and swaps of neighbours (case is
-// ignored), if it is near enough that a person would call it a slip: at most a third of the word's length, at least 1.
+// ignored), if it is near enough that a person would call it a slip: at most a third of the word's length, at
+// least 1.
 std::optional<std::string> closest(std::string_view word, std::span<const std::string> candidates);
 
 // `did you mean "candidate"?`, or nothing.

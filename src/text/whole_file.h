@@ -6,7 +6,8 @@
 
 namespace lamella::text {
 
-// The bytes of a file. Throws Error naming the path and the system's reason (no such file, a directory, no permission).
+// The bytes of a file. Throws Error naming the path and the system's reason (no such file, a directory, no
+// permission).
 std::string read_whole_file(const std::string& path);
 
 // Writes a file so that at every moment either the old or the whole new content stands under its name:

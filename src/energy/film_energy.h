@@ -1,0 +1,88 @@
+// The energy of a scene as a function of its vertices' positions:
+//
+//   sum over facets of tension * area  +  sum over edges of tension * length
+//   + sum over bodies of density * G * (integral of z over the body)  -  sum over bodies of pressure * volume
+//
+// where the last runs over bodies of prescribed pressure. Only what the scene has is summed.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "energy/open_rim.h"
+#include "energy/sweep.h"
+#include "energy/volume_gradient.h"
+#include "scene/scene.h"
+
+namespace lamella::energy {
+
+// Everything in here belongs to one state of connectivity, tensions, densities and pressures: make it anew
+// when those change (`stale`); positions are arguments.
+class FilmEnergy {
+ public:
+  // The film must be compact.
+  explicit FilmEnergy(const scene::Scene& scene);
+
+  bool stale(const scene::Scene& scene) const;
+
+  // The energy at given positions; `volumes()` are refreshed too.
+  double value(std::span<const Vec3> positions);
+  // The energy and its gradient in `lines()`.
+  double gradient(std::span<const Vec3> positions);
+
+  // Volume of region r at the last call, volconst included; [0] is meaningless.
+  std::span<const double> volumes() const { return volumes_; }
+  double area() const { return area_; }  // plain area at the last call
+  std::span<VertexLine> lines() { return lines_; }
+  std::span<const VertexLine> lines() const { return lines_; }
+  std::size_t vertex_count() const { return vertex_count_; }
+  std::size_t triangle_count() const { return input_.triangles.size(); }
+
+  // Volume gradients of the bodies with a target (row i belongs to region constrained()[i]), at the positions
+  // of the last `gradient`.
+  const VolumeGradient& volume_gradient() const { return constrained_gradient_; }
+  std::span<const film::Region> constrained() const { return constrained_; }
+
+ private:
+  struct HeavyFacet {
+    std::uint32_t triangle = 0;
+    double weight = 0;  // (density behind - density in front) * G
+  };
+  struct TenseEdge {
+    film::Vertex tail;
+    film::Vertex head;
+    double tension = 0;
+  };
+
+  void collect_bodies(const scene::Scene& scene);
+  void collect_heavy_facets(const scene::Scene& scene);
+  void collect_tense_edges(const scene::Scene& scene);
+  void start(std::span<const Vec3> positions);
+  double other_terms(std::span<const Vec3> positions);
+  void add_other_gradients(std::span<const Vec3> positions);
+
+  film::Film film_;  // shares the arrays that input_ points into
+  SweepInput input_;
+  std::size_t vertex_count_ = 0;
+  std::uint64_t tension_revision_ = 0;
+  std::uint64_t edge_tension_revision_ = 0;
+  OpenVolume open_volume_ = OpenVolume::above_plane;
+  std::vector<scene::Body> bodies_;
+  scene::Gravity gravity_;
+  bool keep_volumes_ = true;
+  std::vector<RimEdge> rims_;
+  std::vector<HeavyFacet> heavy_;
+  std::vector<TenseEdge> tense_;
+  std::vector<double> volumes_;
+  std::vector<VertexLine> lines_;
+  std::vector<film::Region> constrained_;
+  std::vector<film::Region> pressurised_;
+  std::vector<double> pressures_;  // of pressurised_
+  VolumeGradient constrained_gradient_;
+  VolumeGradient pressure_gradient_;
+  std::vector<double> unit_weights_;
+  std::vector<Vec3> pressure_pull_;
+  double area_ = 0;
+};
+
+}  // namespace lamella::energy

@@ -1,0 +1,246 @@
+#include "energy/volume_gradient.h"
+
+#include <algorithm>
+#include <map>
+
+#include "energy/triangle.h"
+
+namespace lamella::energy {
+
+namespace {
+
+struct RegionPairOrder {
+  bool operator()(const film::RegionPair& a, const film::RegionPair& b) const {
+    return a.front < b.front || (a.front == b.front && a.behind < b.behind);
+  }
+};
+
+film::RegionPair sorted(film::RegionPair pair) {
+  return pair.behind < pair.front ? pair.flipped() : pair;
+}
+
+constexpr film::RegionPair mixed{film::Region{1}, film::Region{0}};  // never sorted, so never a film's pair
+
+}  // namespace
+
+VolumeGradient::VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows)
+    : rows_(rows) {
+  if (rows == 0) return;
+  find_borders(film, row_of_region);
+  build_pattern();
+}
+
+// A vertex all of whose labelled triangles part the same two regions lies inside a film; others are borders.
+void VolumeGradient::find_borders(const film::Film& film, std::span<const int> row_of_region) {
+  const film::View view = film.view();
+  const std::size_t vertices = view.positions.size();
+  std::vector<film::RegionPair> pair_at(vertices);
+  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
+    const film::RegionPair pair = sorted(view.regions[t]);
+    if (pair.front == pair.behind) continue;
+    for (const film::Vertex v : view.triangles[t]) {
+      film::RegionPair& at = pair_at[v.index];
+      if (at == film::RegionPair{}) {
+        at = pair;
+      } else if (!(at == pair)) {
+        at = mixed;
+      }
+    }
+  }
+  const std::vector<RimEdge> rims = open_rims(film);
+  for (const RimEdge& rim : rims) pair_at[rim.from.index] = pair_at[rim.to.index] = mixed;
+
+  std::map<film::RegionPair, std::uint32_t, RegionPairOrder> known;
+  pair_of_vertex_.assign(vertices, none);
+  std::vector<std::uint32_t> border_of_vertex(vertices, none);
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    if (pair_at[v] == mixed) {
+      border_of_vertex[v] = static_cast<std::uint32_t>(borders_.size());
+      borders_.push_back({v});
+    } else if (!(pair_at[v] == film::RegionPair{})) {
+      const Pair pair{row_of_region[pair_at[v].behind.index], row_of_region[pair_at[v].front.index]};
+      if (pair.high < 0 && pair.low < 0) continue;
+      const auto [at, added] = known.try_emplace(pair_at[v], static_cast<std::uint32_t>(pairs_.size()));
+      if (added) pairs_.push_back(pair);
+      pair_of_vertex_[v] = at->second;
+    }
+  }
+
+  // The rows at each border vertex, then a slot for each.
+  std::vector<std::vector<int>> rows_at(borders_.size());
+  const auto touch = [&](film::Vertex v, film::Region region) {
+    const std::uint32_t b = border_of_vertex[v.index];
+    const int row = row_of_region[region.index];
+    if (b == none || row < 0) return;
+    if (std::find(rows_at[b].begin(), rows_at[b].end(), row) == rows_at[b].end()) rows_at[b].push_back(row);
+  };
+  const auto each_corner = [&](auto&& function) {
+    for (std::uint32_t t = 0; t < view.triangles.size(); ++t) {
+      if (view.regions[t].front == view.regions[t].behind) continue;
+      for (const film::Vertex v : view.triangles[t]) function(t, v);
+    }
+  };
+  each_corner([&](std::uint32_t t, film::Vertex v) {
+    touch(v, view.regions[t].front);
+    touch(v, view.regions[t].behind);
+  });
+  for (std::size_t b = 0; b < borders_.size(); ++b) {
+    std::sort(rows_at[b].begin(), rows_at[b].end());
+    borders_[b].first = static_cast<std::uint32_t>(slots_.size());
+    for (const int row : rows_at[b]) slots_.push_back({row, {}});
+    borders_[b].last = static_cast<std::uint32_t>(slots_.size());
+  }
+  const auto slot = [&](film::Vertex v, film::Region region) {
+    const std::uint32_t b = border_of_vertex[v.index];
+    const int row = row_of_region[region.index];
+    if (b == none || row < 0) return none;
+    std::uint32_t s = borders_[b].first;
+    while (slots_[s].row != row) ++s;
+    return s;
+  };
+  each_corner([&](std::uint32_t t, film::Vertex v) {
+    const Corner corner{t, slot(v, view.regions[t].behind), slot(v, view.regions[t].front)};
+    if (corner.behind != none || corner.front != none) corners_.push_back(corner);
+  });
+  for (const RimEdge& rim : rims) {
+    if (row_of_region[rim.region.index] >= 0)
+      rims_.push_back({rim, slot(rim.from, rim.region), slot(rim.to, rim.region)});
+  }
+}
+
+void VolumeGradient::build_pattern() {
+  for (int i = 0; i < rows_; ++i) pattern_.push_back({i, i});
+  for (const Pair& pair : pairs_) {
+    if (pair.high >= 0 && pair.low >= 0)
+      pattern_.push_back({std::max(pair.high, pair.low), std::min(pair.high, pair.low)});
+  }
+  for (const Border& border : borders_) {
+    for (std::uint32_t s = border.first; s < border.last; ++s) {
+      for (std::uint32_t t = border.first; t <= s; ++t) pattern_.push_back({slots_[s].row, slots_[t].row});
+    }
+  }
+  std::sort(pattern_.begin(), pattern_.end());
+  pattern_.erase(std::unique(pattern_.begin(), pattern_.end()), pattern_.end());
+
+  const auto entry = [&](int row, int column) {
+    const auto at = std::lower_bound(pattern_.begin(), pattern_.end(),
+                                     GramEntry{std::max(row, column), std::min(row, column)});
+    return static_cast<int>(at - pattern_.begin());
+  };
+  for (Pair& pair : pairs_) {
+    if (pair.high >= 0) pair.entry_high = entry(pair.high, pair.high);
+    if (pair.low >= 0) pair.entry_low = entry(pair.low, pair.low);
+    if (pair.high >= 0 && pair.low >= 0) pair.entry_mixed = entry(pair.high, pair.low);
+  }
+  for (Border& border : borders_) {
+    border.first_entry = static_cast<std::uint32_t>(border_entries_.size());
+    for (std::uint32_t s = border.first; s < border.last; ++s) {
+      for (std::uint32_t t = border.first; t <= s; ++t)
+        border_entries_.push_back(entry(slots_[s].row, slots_[t].row));
+    }
+  }
+}
+
+void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine> lines,
+                            OpenVolume convention) {
+  lines_ = lines;
+  for (Slot& slot : slots_) slot.gradient = {};
+  for (const Corner& corner : corners_) {
+    const auto& v = input.triangles[corner.triangle];
+    const Vec3 share = double_area_vector(input.positions[v[0].index], input.positions[v[1].index],
+                                          input.positions[v[2].index]) /
+                       6;
+    if (corner.behind != none) slots_[corner.behind].gradient += share;
+    if (corner.front != none) slots_[corner.front].gradient -= share;
+  }
+  for (const Rim& rim : rims_) {
+    const RimGradient g = rim_volume_gradient(input.positions[rim.edge.from.index],
+                                              input.positions[rim.edge.to.index], input.origin, convention);
+    slots_[rim.from].gradient += rim.edge.times * g.from;
+    slots_[rim.to].gradient += rim.edge.times * g.to;
+  }
+}
+
+void VolumeGradient::gram(std::span<const double> weights, std::span<double> values) const {
+  std::fill(values.begin(), values.end(), 0.0);
+  // Inner vertices of one film mostly follow each other, so their sum is kept until the film changes.
+  std::uint32_t run = none;
+  double sum = 0;
+  const auto flush = [&] {
+    if (run == none) return;
+    const Pair& pair = pairs_[run];
+    if (pair.high >= 0) values[static_cast<std::size_t>(pair.entry_high)] += sum;
+    if (pair.low >= 0) values[static_cast<std::size_t>(pair.entry_low)] += sum;
+    if (pair.entry_mixed >= 0) values[static_cast<std::size_t>(pair.entry_mixed)] -= sum;
+    sum = 0;
+  };
+  for (std::size_t v = 0; v < pair_of_vertex_.size(); ++v) {
+    const std::uint32_t pair = pair_of_vertex_[v];
+    if (pair == none) continue;
+    if (pair != run) {
+      flush();
+      run = pair;
+    }
+    sum += weights[v] * squared_length(lines_[v].area_vector);
+  }
+  flush();
+  for (const Border& border : borders_) {
+    const int* entry = border_entries_.data() + border.first_entry;
+    for (std::uint32_t s = border.first; s < border.last; ++s) {
+      for (std::uint32_t t = border.first; t <= s; ++t) {
+        values[static_cast<std::size_t>(*entry++)] +=
+            weights[border.vertex] * film::dot(slots_[s].gradient, slots_[t].gradient);
+      }
+    }
+  }
+}
+
+void VolumeGradient::dot(std::span<const double> weights, std::span<const Vec3> field,
+                         std::span<double> result) const {
+  std::fill(result.begin(), result.end(), 0.0);
+  std::uint32_t run = none;
+  double sum = 0;
+  const auto flush = [&] {
+    if (run == none) return;
+    if (pairs_[run].high >= 0) result[static_cast<std::size_t>(pairs_[run].high)] += sum;
+    if (pairs_[run].low >= 0) result[static_cast<std::size_t>(pairs_[run].low)] -= sum;
+    sum = 0;
+  };
+  for (std::size_t v = 0; v < pair_of_vertex_.size(); ++v) {
+    const std::uint32_t pair = pair_of_vertex_[v];
+    if (pair == none) continue;
+    if (pair != run) {
+      flush();
+      run = pair;
+    }
+    sum += weights[v] * film::dot(lines_[v].area_vector, field[v]);
+  }
+  flush();
+  for (const Border& border : borders_) {
+    for (std::uint32_t s = border.first; s < border.last; ++s) {
+      result[static_cast<std::size_t>(slots_[s].row)] +=
+          weights[border.vertex] * film::dot(slots_[s].gradient, field[border.vertex]);
+    }
+  }
+}
+
+void VolumeGradient::add(std::span<const double> weights, std::span<const double> multipliers, double factor,
+                         std::span<Vec3> field) const {
+  for (std::size_t v = 0; v < pair_of_vertex_.size(); ++v) {
+    if (pair_of_vertex_[v] == none) continue;
+    const Pair& pair = pairs_[pair_of_vertex_[v]];
+    double difference = 0;
+    if (pair.high >= 0) difference += multipliers[static_cast<std::size_t>(pair.high)];
+    if (pair.low >= 0) difference -= multipliers[static_cast<std::size_t>(pair.low)];
+    field[v] += (factor * weights[v] * difference) * lines_[v].area_vector;
+  }
+  for (const Border& border : borders_) {
+    for (std::uint32_t s = border.first; s < border.last; ++s) {
+      field[border.vertex] +=
+          (factor * weights[border.vertex] * multipliers[static_cast<std::size_t>(slots_[s].row)]) *
+          slots_[s].gradient;
+    }
+  }
+}
+
+}  // namespace lamella::energy

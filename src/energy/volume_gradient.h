@@ -1,0 +1,108 @@
+// The gradients of region volumes, as sparse as they are.
+//
+// A vertex inside a film parts two regions, and the sweep has already summed its area vector: that vector is
+// the gradient of one region's volume and minus that of the other. Only vertices on borders and rims hold a
+// list of their own, refreshed by a pass over the few triangles that touch them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "energy/open_rim.h"
+#include "energy/sweep.h"
+#include "film/film.h"
+
+namespace lamella::energy {
+
+// Which entries the Gram matrix of the gradients can have: rows i >= j, sorted, each once.
+struct GramEntry {
+  int row = 0;
+  int column = 0;
+  friend constexpr auto operator<=>(const GramEntry&, const GramEntry&) = default;
+};
+
+class VolumeGradient {
+ public:
+  // row_of_region[r] is the row of region r among those wanted, or -1.
+  VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows);
+
+  int rows() const { return rows_; }
+  const std::vector<GramEntry>& pattern() const { return pattern_; }
+
+  // Refreshes the gradients; `lines` from sweep_gradient at the same positions and origin. The inner
+  // vertices' gradients are read from `lines` in the calls below, so it must live on unchanged.
+  void update(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention);
+
+  // G w G^T for vertex weights w (an inverse mass; 0 holds a vertex still): one value for each pattern entry.
+  void gram(std::span<const double> weights, std::span<double> values) const;
+  // result[i] = sum over vertices of weight * gradient_i . field.
+  void dot(std::span<const double> weights, std::span<const Vec3> field, std::span<double> result) const;
+  // field += factor * weight * sum_i multipliers[i] gradient_i.
+  void add(std::span<const double> weights, std::span<const double> multipliers, double factor,
+           std::span<Vec3> field) const;
+
+  // Calls function(vertex row, row i, gradient) for every nonzero row of every vertex.
+  template <class Function>
+  void for_each(Function&& function) const {
+    for (std::uint32_t v = 0; v < pair_of_vertex_.size(); ++v) {
+      if (pair_of_vertex_[v] == none) continue;
+      const Pair& pair = pairs_[pair_of_vertex_[v]];
+      if (pair.high >= 0) function(v, pair.high, lines_[v].area_vector);
+      if (pair.low >= 0) function(v, pair.low, -lines_[v].area_vector);
+    }
+    for (const Border& border : borders_) {
+      for (std::uint32_t s = border.first; s < border.last; ++s)
+        function(border.vertex, slots_[s].row, slots_[s].gradient);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  // Rows of the two regions that a film parts, the one of higher number first; -1 where not wanted.
+  struct Pair {
+    int high = -1;
+    int low = -1;
+    int entry_high = -1;  // where (high,high), (low,low), (high,low) stand in the pattern
+    int entry_low = -1;
+    int entry_mixed = -1;
+  };
+  struct Slot {
+    int row = 0;
+    Vec3 gradient;
+  };
+  struct Border {
+    std::uint32_t vertex = 0;
+    std::uint32_t first = 0;  // its slots
+    std::uint32_t last = 0;
+    std::uint32_t first_entry = 0;  // where its pairs of slots (s >= t, row by row) stand in the pattern
+  };
+  // A corner of a triangle at a border vertex.
+  struct Corner {
+    std::uint32_t triangle = 0;
+    std::uint32_t behind = none;  // slots
+    std::uint32_t front = none;
+  };
+  struct Rim {
+    RimEdge edge;
+    std::uint32_t from = none;  // slots
+    std::uint32_t to = none;
+  };
+
+  void find_borders(const film::Film& film, std::span<const int> row_of_region);
+  void build_pattern();
+
+  int rows_ = 0;
+  std::vector<std::uint32_t> pair_of_vertex_;
+  std::vector<Pair> pairs_;
+  std::vector<Border> borders_;
+  std::vector<Slot> slots_;
+  std::vector<Corner> corners_;
+  std::vector<Rim> rims_;
+  std::vector<GramEntry> pattern_;
+  std::vector<int> border_entries_;
+  std::span<const VertexLine> lines_;
+};
+
+}  // namespace lamella::energy

@@ -1,0 +1,69 @@
+// One film in motion: the state between steps, and the step.
+#pragma once
+
+#include <vector>
+
+#include "energy/film_energy.h"
+#include "scene/scene.h"
+#include "solve/gram_solver.h"
+#include "solve/problem.h"
+
+namespace lamella::evolution {
+
+using film::Vec3;
+
+// The motion of one scene on one connectivity. Positions and velocities are double-buffered, so that undoing
+// a step that fails is a matter of not taking it over.
+//
+// A step, with gradients g of the energy and G of the volumes taken at its start, masses m, pressures p:
+//
+//   v' = exp(-damping dt) (v - dt/m (g - p G))        the pressures of the step before serve as a guess
+//   x' = x + dt v'
+//   until the volumes at x' are right:  lambda from (G 1/m G^T) lambda = V_target - V(x'),
+//       x' += 1/m G^T lambda,   v' += 1/(m dt) G^T lambda,   p += lambda/dt^2
+//
+// One sweep for g, G, volumes and the stability bound, and mostly one more for the volumes at x'.
+class Motion {
+ public:
+  explicit Motion(scene::Scene& scene);
+
+  // The largest stable step at the present shape: 2/sqrt(max s_v/m_v) over the vertices that move.
+  double bound() const { return bound_; }
+  // Moves by dt, which should lie below the bound; the scene's time and pressures follow. Anything but
+  // Ending::step_limit means that nothing has changed: the result would not be finite, its volumes could not
+  // be kept, or its energy would have risen from nowhere.
+  solve::Ending step(double dt);
+  // Copies positions, velocities and masses to the scene.
+  void store();
+
+  double energy() const { return energy_; }
+  double kinetic() const { return kinetic_; }
+  double volume_error() const;
+
+ private:
+  bool linearise();
+  void kick_and_drift(double dt);
+  bool keep_volumes(double dt);
+  bool rises_from_nowhere(double energy, double kinetic) const;
+
+  scene::Scene& scene_;
+  energy::FilmEnergy terms_;
+  solve::GramSolver gram_;
+  std::vector<double> gram_values_;
+  std::vector<double> masses_;
+  std::vector<double> weights_;  // inverse masses, 0 for vertices that stay
+  std::vector<Vec3> x_;
+  std::vector<Vec3> v_;
+  std::vector<Vec3> next_x_;
+  std::vector<Vec3> next_v_;
+  std::vector<double> errors_;
+  std::vector<double> multipliers_;
+  std::vector<double> pressures_;
+  std::vector<double> next_pressures_;
+  double energy_ = 0;
+  double kinetic_ = 0;
+  double bound_ = 0;
+  bool sound_ = false;
+};
+
+}  // namespace lamella::evolution

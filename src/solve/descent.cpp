@@ -1,0 +1,94 @@
+#include "solve/descent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella::solve {
+
+namespace {
+
+constexpr int most_halvings = 40;
+
+}  // namespace
+
+double first_scale(const Problem& problem) {
+  double stiffest = 0;
+  for (const energy::VertexLine& line : problem.energy().lines())
+    stiffest = std::max(stiffest, line.stiffness);
+  return stiffest > 0 ? 1 / stiffest : 0;
+}
+
+Descent::Descent(Problem& problem)
+    : problem_(problem), from_(problem.vertex_count()), direction_(problem.vertex_count()) {}
+
+void Descent::place(std::span<Vec3> x, double scale) const {
+  for (std::size_t v = 0; v < from_.size(); ++v) x[v] = from_[v] + scale * direction_[v];
+}
+
+DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double limit) {
+  bool ok = false;
+  const double energy = problem_.linearise(x, ok);
+  if (!ok)
+    return {std::isfinite(energy) ? Ending::volume_lost : Ending::not_finite, energy,
+            problem_.energy().area()};
+  std::copy(x.begin(), x.end(), from_.begin());
+  const double squared = problem_.descent_direction(direction_);
+  if (!std::isfinite(squared)) return {Ending::not_finite, energy, problem_.energy().area()};
+  const double start = problem_.merit(x);
+  if (fixed) {
+    place(x, scale);
+    return finish(x, scale, squared, start);
+  }
+  if (!(scale > 0)) scale = first_scale(problem_);
+  scale = std::min(scale, limit);
+  if (squared == 0 || !search(x, start, squared, scale, limit)) {
+    place(x, 0);
+    DescentStep none = finish(x, 0, squared, start);
+    if (none.ending == Ending::step_limit) none.ending = squared == 0 ? Ending::converged : Ending::stuck;
+    return none;
+  }
+  return finish(x, scale, squared, start);
+}
+
+// Leaves x at the accepted scale. `squared` is minus the slope at 0.
+bool Descent::search(std::span<Vec3> x, double start, double squared, double& scale, double limit) {
+  double best = HUGE_VAL;
+  for (int halving = 0; halving < most_halvings; ++halving) {
+    place(x, scale);
+    best = problem_.merit(x);
+    if (best < start) break;
+    const double bend = best - start + squared * scale;
+    const double wanted = bend > 0 && std::isfinite(bend) ? 0.5 * squared * scale * scale / bend : 0;
+    scale = std::clamp(wanted, 0.1 * scale, 0.5 * scale);
+  }
+  if (!(best < start)) return false;
+
+  // The parabola through the merit and slope at 0 and the merit here.
+  const double bend = best - start + squared * scale;
+  const double optimum = bend > 0 ? 0.5 * squared * scale * scale / bend : 4 * scale;
+  const double refined = std::min({optimum, 4 * scale, limit});
+  if (std::abs(refined - scale) < 0.02 * scale) return true;
+  place(x, refined);
+  if (problem_.merit(x) < best) {
+    scale = refined;
+  } else {
+    place(x, scale);
+  }
+  return true;
+}
+
+DescentStep Descent::finish(std::span<Vec3> x, double scale, double squared, double start) {
+  DescentStep result;
+  result.scale = scale;
+  result.predicted_gain = 0.5 * scale * squared;
+  const Ending restored = problem_.restore_volumes(x, result.energy);
+  result.area = problem_.energy().area();
+  if (restored != Ending::converged) {
+    result.ending = restored;
+    result.energy = start;
+    std::copy(from_.begin(), from_.end(), x.begin());
+  }
+  return result;
+}
+
+}  // namespace lamella::solve

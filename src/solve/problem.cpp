@@ -1,0 +1,156 @@
+#include "solve/problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella::solve {
+
+namespace {
+
+constexpr double volume_tolerance = 1e-13;  // relative; a few times rounding for a hundred thousand facets
+constexpr int most_passes = 60;
+
+std::vector<double> inverse_masses(const film::Film& film) {
+  const std::span<const std::uint8_t> fixed = film.columns(film::ElementKind::vertex).flags("fixed");
+  std::vector<double> weights(film.vertex_rows(), 1.0);
+  for (std::size_t v = 0; v < fixed.size(); ++v) {
+    if (fixed[v] != 0) weights[v] = 0;
+  }
+  return weights;
+}
+
+}  // namespace
+
+std::string_view describe(Ending ending) {
+  switch (ending) {
+    case Ending::converged:
+      return "converged";
+    case Ending::step_limit:
+      return "step limit reached";
+    case Ending::stopped:
+      return "stopped";
+    case Ending::stuck:
+      return "stuck: no step lowers the energy";
+    case Ending::not_finite:
+      return "a number is no longer finite";
+    case Ending::volume_lost:
+      return "the volumes cannot be brought to their targets";
+  }
+  return "";
+}
+
+Problem::Problem(const scene::Scene& scene)
+    : energy_(scene),
+      weights_(inverse_masses(scene.film)),
+      gram_(energy_.volume_gradient().rows(), energy_.volume_gradient().pattern()),
+      gram_values_(energy_.volume_gradient().pattern().size()) {
+  const std::size_t rows = energy_.constrained().size();
+  targets_.resize(rows);
+  volume_scale_.resize(rows);
+  pressures_.resize(rows);
+  errors_.resize(rows);
+  multipliers_.resize(rows);
+  if (rows > 0) gradient_.resize(vertex_count());
+  set_targets(scene);
+}
+
+void Problem::set_targets(const scene::Scene& scene) {
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    targets_[i] = *scene.body(energy_.constrained()[i]).target_volume;
+    volume_scale_[i] = std::max(std::abs(targets_[i]), 1e-300);
+  }
+}
+
+bool Problem::factorise() {
+  const energy::VolumeGradient& g = energy_.volume_gradient();
+  g.gram(weights_, gram_values_);
+  return gram_.factorise(gram_values_);
+}
+
+double Problem::linearise(std::span<const Vec3> x, bool& ok) {
+  const double energy = energy_.gradient(x);
+  ok = std::isfinite(energy);
+  if (!ok || targets_.empty()) return energy;
+  const std::span<const energy::VertexLine> lines = energy_.lines();
+  for (std::size_t v = 0; v < gradient_.size(); ++v) gradient_[v] = lines[v].gradient;
+  ok = factorise();
+  if (!ok) return energy;
+  energy_.volume_gradient().dot(weights_, gradient_, errors_);
+  gram_.solve(errors_, pressures_);
+  return energy;
+}
+
+double Problem::descent_direction(std::span<Vec3> direction) const {
+  const std::span<const energy::VertexLine> lines = energy_.lines();
+  for (std::size_t v = 0; v < direction.size(); ++v) direction[v] = -weights_[v] * lines[v].gradient;
+  if (!targets_.empty()) energy_.volume_gradient().add(weights_, pressures_, 1.0, direction);
+  double squared = 0;
+  for (const Vec3& d : direction) squared += squared_length(d);
+  return squared;
+}
+
+void Problem::volume_errors(std::span<double> errors) const {
+  const std::span<const double> volumes = energy_.volumes();
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    errors[i] = targets_[i] - volumes[energy_.constrained()[i].index];
+}
+
+double Problem::merit(std::span<const Vec3> x) {
+  double result = energy_.value(x);
+  const std::span<const double> volumes = energy_.volumes();
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    result -= pressures_[i] * (volumes[energy_.constrained()[i].index] - targets_[i]);
+  }
+  return result;
+}
+
+double Problem::volume_error() const {
+  double worst = 0;
+  const std::span<const double> volumes = energy_.volumes();
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const double error = targets_[i] - volumes[energy_.constrained()[i].index];
+    worst = std::max(worst, std::abs(error) / volume_scale_[i]);
+  }
+  return worst;
+}
+
+Ending Problem::restore_volumes(std::span<Vec3> x, double& energy) {
+  if (targets_.empty()) {
+    energy = energy_.value(x);
+    return std::isfinite(energy) ? Ending::converged : Ending::not_finite;
+  }
+  double before = HUGE_VAL;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    energy = energy_.value(x);
+    const double error = volume_error();
+    if (!std::isfinite(energy) || !std::isfinite(error)) return Ending::not_finite;
+    if (error < volume_tolerance || (error < 100 * volume_tolerance && error > 0.5 * before))
+      return Ending::converged;
+    if (error > 0.1 * before) {
+      bool ok = false;
+      linearise(x, ok);
+      if (!ok) return Ending::volume_lost;
+    }
+    before = error;
+    volume_errors(errors_);
+    limit(errors_);
+    gram_.solve(errors_, multipliers_);
+    energy_.volume_gradient().add(weights_, multipliers_, 1.0, x);
+  }
+  return volume_error() < 1e-9 ? Ending::converged : Ending::volume_lost;
+}
+
+void Problem::limit(std::span<double> errors) const {
+  const std::span<const double> volumes = energy_.volumes();
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const double size = std::max(std::abs(volumes[energy_.constrained()[i].index]), 0.01 * volume_scale_[i]);
+    errors[i] = std::clamp(errors[i], -0.5 * size, size);
+  }
+}
+
+void Problem::publish(scene::Scene& scene) const {
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    scene.body(energy_.constrained()[i]).pressure = pressures_[i];
+}
+
+}  // namespace lamella::solve

@@ -1,0 +1,85 @@
+// Minimise the energy of a scene's film while the volumes of its bodies keep their targets and fixed vertices
+// stay.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "energy/film_energy.h"
+#include "scene/scene.h"
+#include "solve/gram_solver.h"
+
+namespace lamella::solve {
+
+using film::Vec3;
+
+// How a computation ended. Everything but the first three is a failure the caller reports.
+enum class Ending {
+  converged,
+  step_limit,   // as many steps as were asked for
+  stopped,      // by Ctrl-C
+  stuck,        // no step along the gradient lowers the energy, though the residual is not small
+  not_finite,   // energy or gradient is not a number
+  volume_lost,  // the volumes could not be brought to their targets
+};
+
+std::string_view describe(Ending ending);
+
+// Energy, constraints and the state of one film. Positions belong to the caller (the film's own rows, edited
+// in place); weights are the inverse masses with which vertices answer a force: 0 for a fixed one.
+class Problem {
+ public:
+  explicit Problem(const scene::Scene& scene);
+
+  std::size_t vertex_count() const { return energy_.vertex_count(); }
+  energy::FilmEnergy& energy() { return energy_; }
+  const energy::FilmEnergy& energy() const { return energy_; }
+  bool movable(std::size_t vertex) const { return weights_[vertex] != 0; }
+  std::span<const double> weights() const { return weights_; }
+  std::size_t constraint_count() const { return targets_.size(); }
+  std::span<const double> targets() const { return targets_; }
+  void set_targets(const scene::Scene& scene);
+
+  // Evaluates energy, gradient and volume gradients at x, and the multipliers (pressures) that leave the
+  // smallest projected gradient. Returns the energy. False in `ok` if a number is not finite or the
+  // constraints are degenerate.
+  double linearise(std::span<const Vec3> x, bool& ok);
+  // After `linearise`: minus the gradient of energy - sum pressure * volume, zero at fixed vertices.
+  // `direction` has a row a vertex. Returns its squared length.
+  double descent_direction(std::span<Vec3> direction) const;
+  std::span<const double> pressures() const { return pressures_; }
+
+  // energy - sum pressures * (volume - target), with the pressures of the last `linearise`.
+  double merit(std::span<const Vec3> x);
+
+  // The largest relative error of a volume at the last evaluation.
+  double volume_error() const;
+  // Moves x along the volume gradients until every volume has its target to rounding (about 1e-13 relative);
+  // the gradients of the last `linearise` serve as long as they lead there fast, then it linearises anew. One
+  // pass at most doubles or halves a volume, so that large changes do not tangle. On return `energy` is the
+  // energy at x. Ending::converged or volume_lost or not_finite.
+  Ending restore_volumes(std::span<Vec3> x, double& energy);
+
+  // Writes pressures to the scene's bodies.
+  void publish(scene::Scene& scene) const;
+
+ private:
+  bool factorise();
+  void volume_errors(std::span<double> errors) const;
+  void limit(std::span<double> errors) const;
+
+  energy::FilmEnergy energy_;
+  std::vector<double> weights_;
+  std::vector<double> targets_;
+  std::vector<double> volume_scale_;  // for relative errors
+  GramSolver gram_;
+  std::vector<double> gram_values_;
+  std::vector<double> pressures_;
+  std::vector<double> errors_;
+  std::vector<double> multipliers_;
+  std::vector<Vec3>
+      gradient_;  // only while there are constraints: the field whose products give the pressures
+};
+
+}  // namespace lamella::solve

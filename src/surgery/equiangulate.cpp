@@ -1,0 +1,31 @@
+#include "surgery/equiangulate.h"
+
+#include "surgery/flip.h"
+
+namespace lamella::surgery {
+
+// With edge a and the other sides b, c on one side and d, e on the other, the cosines of the opposite angles
+// are (b^2+c^2-a^2)/(2bc) and (d^2+e^2-a^2)/(2de); their sum is negative where the angles exceed pi together.
+bool is_worse_diagonal(const film::Film& film, const Diagonal& d) {
+  const auto direction = [&](film::Vertex from, film::Vertex to) {
+    return unit(film.position(to) - film.position(from));
+  };
+  const double cosine_r = dot(direction(d.r, d.p), direction(d.r, d.q));
+  const double cosine_w = dot(direction(d.w, d.p), direction(d.w, d.q));
+  return cosine_r + cosine_w < -1e-10;
+}
+
+std::uint32_t equiangulate(film::Film& film) {
+  std::uint32_t flips = 0;
+  for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
+    const film::Edge e(i);
+    if (!film.alive(e)) continue;
+    const std::optional<Diagonal> diagonal = flippable(film, e);
+    if (!diagonal || !is_worse_diagonal(film, *diagonal) || !flip_is_flat(film, *diagonal)) continue;
+    flip(film, *diagonal);
+    ++flips;
+  }
+  return flips;
+}
+
+}  // namespace lamella::surgery
