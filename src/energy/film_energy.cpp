@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "energy/gravity.h"
-
 namespace lamella::energy {
 
 namespace {
@@ -56,6 +54,7 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
       bodies_(scene.bodies),
       gravity_(scene.gravity),
       keep_volumes_(scene.keep_volumes),
+      heavy_(heavy_facets(scene)),
       volumes_(scene.bodies.size() + 1),
       lines_(vertex_count_),
       constrained_(constrained_regions(scene)),
@@ -72,7 +71,6 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
   if (input_.has_regions) rims_ = open_rims(film_);
   film_.edit_position_rows() = {};  // positions are arguments; holding these would only cost memory
   collect_bodies(scene);
-  collect_heavy_facets(scene);
   collect_tense_edges(scene);
 }
 
@@ -92,16 +90,6 @@ void FilmEnergy::collect_bodies(const scene::Scene& scene) {
   if (pressurised_.empty()) return;
   unit_weights_.assign(vertex_count_, 1.0);
   pressure_pull_.resize(vertex_count_);
-}
-
-void FilmEnergy::collect_heavy_facets(const scene::Scene& scene) {
-  if (!scene.gravity.on || scene.gravity.constant == 0) return;
-  const auto density = [&](film::Region r) { return r.outside() ? 0.0 : scene.body(r).density; };
-  for (std::uint32_t t = 0; t < input_.triangles.size(); ++t) {
-    const film::RegionPair pair = input_.regions[t];
-    const double weight = (density(pair.behind) - density(pair.front)) * scene.gravity.constant;
-    if (weight != 0) heavy_.push_back({t, weight});
-  }
 }
 
 void FilmEnergy::collect_tense_edges(const scene::Scene& scene) {

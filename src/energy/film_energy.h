@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "energy/gravity.h"
 #include "energy/open_rim.h"
 #include "energy/sweep.h"
 #include "energy/volume_gradient.h"
@@ -44,10 +45,6 @@ class FilmEnergy {
   std::span<const film::Region> constrained() const { return constrained_; }
 
  private:
-  struct HeavyFacet {
-    std::uint32_t triangle = 0;
-    double weight = 0;  // (density behind - density in front) * G
-  };
   struct TenseEdge {
     film::Vertex tail;
     film::Vertex head;
@@ -55,7 +52,6 @@ class FilmEnergy {
   };
 
   void collect_bodies(const scene::Scene& scene);
-  void collect_heavy_facets(const scene::Scene& scene);
   void collect_tense_edges(const scene::Scene& scene);
   void start(std::span<const Vec3> positions);
   double other_terms(std::span<const Vec3> positions);

@@ -1,5 +1,7 @@
 #include "energy/gravity.h"
 
+#include <algorithm>
+
 namespace lamella::energy {
 
 namespace {
@@ -26,6 +28,31 @@ std::array<Vec3, 3> height_integral_gradient(const Vec3& a, const Vec3& b, const
   return {Vec3{(b.y - c.y) * squares, (c.x - b.x) * squares, (a.z + heights) * shadow},
           Vec3{(c.y - a.y) * squares, (a.x - c.x) * squares, (b.z + heights) * shadow},
           Vec3{(a.y - b.y) * squares, (b.x - a.x) * squares, (c.z + heights) * shadow}};
+}
+
+std::vector<HeavyFacet> heavy_facets(const scene::Scene& scene) {
+  std::vector<HeavyFacet> heavy;
+  const bool any = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                               [](const scene::Body& body) { return body.density != 0 && !body.absent; });
+  if (!any || !scene.gravity.on || scene.gravity.constant == 0) return heavy;
+  const auto density = [&](film::Region r) { return r.outside() ? 0.0 : scene.body(r).density; };
+  for (std::uint32_t t = 0; t < scene.film.triangle_rows(); ++t) {
+    if (!scene.film.alive(film::Triangle(t))) continue;
+    const film::RegionPair pair = scene.film.regions(film::Triangle(t));
+    const double weight = (density(pair.behind) - density(pair.front)) * scene.gravity.constant;
+    if (weight != 0) heavy.push_back({t, weight});
+  }
+  return heavy;
+}
+
+double gravity_energy(const scene::Scene& scene) {
+  double energy = 0;
+  for (const HeavyFacet& facet : heavy_facets(scene)) {
+    const auto& v = scene.film.corners(film::Triangle(facet.triangle));
+    energy += facet.weight * height_integral(scene.film.position(v[0]), scene.film.position(v[1]),
+                                             scene.film.position(v[2]));
+  }
+  return energy;
 }
 
 }  // namespace lamella::energy

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "film/vec3.h"
+#include "scene/scene.h"
 
 namespace lamella::energy {
 
@@ -13,5 +13,16 @@ using film::Vec3;
 // integral of z over the body (divergence theorem).
 double height_integral(const Vec3& a, const Vec3& b, const Vec3& c);
 std::array<Vec3, 3> height_integral_gradient(const Vec3& a, const Vec3& b, const Vec3& c);
+
+// A facet between bodies of different density, with (density behind - density in front) * G.
+struct HeavyFacet {
+  std::uint32_t triangle = 0;
+  double weight = 0;
+};
+// Empty where gravity is off or nothing has a density.
+std::vector<HeavyFacet> heavy_facets(const scene::Scene& scene);
+
+// The potential energy of a scene's heavy bodies.
+double gravity_energy(const scene::Scene& scene);
 
 }  // namespace lamella::energy

@@ -1,0 +1,89 @@
+#include "energy/measure.h"
+
+#include <algorithm>
+
+#include "energy/film_energy.h"
+#include "energy/gravity.h"
+
+namespace lamella::energy {
+
+using film::ElementKind;
+
+namespace {
+
+double total_length(const film::Film& film, std::span<const double> tension, double& tense) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
+    if (!film.alive(film::Edge(i))) continue;
+    const auto& ends = film.ends(film::Edge(i));
+    const double l = length(film.position(ends[1]) - film.position(ends[0]));
+    sum += l;
+    if (!tension.empty()) tense += tension[i] * l;
+  }
+  return sum;
+}
+
+}  // namespace
+
+// Only sums are wanted, so nothing is prepared as for a solver.
+Measures measure(const scene::Scene& scene) {
+  const film::Film& film = scene.film;
+  Measures m;
+  m.volumes.assign(scene.bodies.size() + 1, 0.0);
+  const film::Connectivity& c = film.connectivity();
+  SweepInput input;
+  input.positions = film.positions();
+  input.triangles = c.triangle_vertices;
+  input.regions = c.triangle_regions;
+  input.tension = film.columns(ElementKind::facet).reals("tension");
+  input.has_regions = !scene.bodies.empty();
+  if (!input.positions.empty()) input.origin = input.positions[0];
+  const SweepSums sums = sweep_energy(input, m.volumes);
+  m.area = sums.area;
+  m.energy = sums.energy;
+  m.length = total_length(film, film.columns(ElementKind::edge).reals("tension"), m.energy);
+  if (scene.bodies.empty()) return m;
+
+  const OpenVolume convention =
+      scene.symmetric_content ? OpenVolume::cone_from_origin : OpenVolume::above_plane;
+  add_rim_volumes(open_rims(film), input.positions, input.origin, convention, m.volumes);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const scene::Body& body = scene.bodies[b];
+    m.volumes[b + 1] += body.volume_offset;
+    if (body.fixed_pressure && !body.absent) m.energy -= *body.fixed_pressure * m.volumes[b + 1];
+  }
+  m.energy += gravity_energy(scene);
+  return m;
+}
+
+MeasureCache::Key MeasureCache::key_of(const scene::Scene& scene) {
+  return {scene.film.connectivity_revision(),
+          scene.film.position_revision(),
+          scene.film.columns(ElementKind::facet).revision("tension"),
+          scene.film.columns(ElementKind::edge).revision("tension"),
+          scene.symmetric_content,
+          scene.gravity.on,
+          scene.gravity.constant};
+}
+
+bool MeasureCache::holds(const scene::Scene& scene) const {
+  const auto same = [](const BodyKey& key, const scene::Body& body) {
+    return key == BodyKey{body.density, body.volume_offset, body.fixed_pressure, body.absent};
+  };
+  return measures_ && key_ == key_of(scene) &&
+         std::equal(bodies_.begin(), bodies_.end(), scene.bodies.begin(), scene.bodies.end(), same);
+}
+
+const Measures& MeasureCache::of(const scene::Scene& scene) {
+  if (!holds(scene)) {
+    measures_ = measure(scene);
+    key_ = key_of(scene);
+    bodies_.clear();
+    for (const scene::Body& body : scene.bodies) {
+      bodies_.push_back({body.density, body.volume_offset, body.fixed_pressure, body.absent});
+    }
+  }
+  return *measures_;
+}
+
+}  // namespace lamella::energy
