@@ -337,6 +337,17 @@ void Film::restart_numbers() {
   }
 }
 
+void Film::set_numbers(ElementKind kind, std::vector<std::uint32_t> numbers) {
+  Numbers set;
+  bool plain = true;
+  for (std::size_t row = 0; row < numbers.size(); ++row) {
+    set.last = std::max(set.last, numbers[row]);
+    plain = plain && numbers[row] == row + 1;
+  }
+  set.of_row = std::move(numbers);
+  numbers_[static_cast<std::size_t>(kind)].edit() = plain ? Numbers{} : std::move(set);
+}
+
 View Film::view() const {
   assert(is_compact());
   return {*positions_, connectivity_->triangle_vertices, connectivity_->triangle_regions,

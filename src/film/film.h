@@ -211,6 +211,8 @@ class Film {
                 std::span<const std::uint32_t> triangles);
   // Forgets the numbers: they count the present rows again.
   void restart_numbers();
+  // One number for each row, all different.
+  void set_numbers(ElementKind kind, std::vector<std::uint32_t> numbers);
 
   // Requires is_compact().
   View view() const;

@@ -2,104 +2,70 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace lamella::film {
 
 namespace {
 
-constexpr int bits_per_axis = 16;
+constexpr std::uint32_t facets_in_cache = 100000;
 
-// The place of a cell along the Hilbert curve, by the transpose method of J. Skilling, "Programming the
-// Hilbert curve", AIP Conference Proceedings 707 (2004).
-std::uint64_t hilbert_index(std::array<std::uint32_t, 3> x) {
-  constexpr std::uint32_t top = 1U << (bits_per_axis - 1);
-  for (std::uint32_t q = top; q > 1; q >>= 1U) {
-    const std::uint32_t p = q - 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if ((x[i] & q) != 0) {
-        x[0] ^= p;
-      } else {
-        const std::uint32_t t = (x[0] ^ x[i]) & p;
-        x[0] ^= t;
-        x[i] ^= t;
-      }
+// Vertices in the order in which a walk along the edges, nearest first, meets them; piece after piece.
+std::vector<std::uint32_t> breadth_first(const Film& film) {
+  std::vector<std::uint32_t> order;
+  order.reserve(film.vertex_rows());
+  std::vector<std::uint8_t> met(film.vertex_rows(), 0);
+  const auto meet = [&](Vertex v) {
+    if (met[v.index] != 0) return;
+    met[v.index] = 1;
+    order.push_back(v.index);
+  };
+  for (std::uint32_t start = 0; start < film.vertex_rows(); ++start) {
+    const std::size_t first = order.size();
+    meet(Vertex(start));
+    for (std::size_t i = first; i < order.size(); ++i) {
+      film.for_each_end(Vertex(order[i]), [&](EdgeEnd end) { meet(film.head(end.outward())); });
     }
   }
-  for (std::size_t i = 1; i < 3; ++i) x[i] ^= x[i - 1];
-  std::uint32_t t = 0;
-  for (std::uint32_t q = top; q > 1; q >>= 1U) {
-    if ((x[2] & q) != 0) t ^= q - 1;
-  }
-  for (std::uint32_t& axis : x) axis ^= t;
-
-  std::uint64_t index = 0;
-  for (int bit = bits_per_axis - 1; bit >= 0; --bit) {
-    for (const std::uint32_t axis : x) index = (index << 1U) | ((axis >> static_cast<unsigned>(bit)) & 1U);
-  }
-  return index;
+  return order;
 }
 
-std::vector<std::uint64_t> curve_places(std::span<const Vec3> positions) {
-  Vec3 low = positions[0];
-  Vec3 high = positions[0];
-  for (const Vec3& p : positions) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
-  }
-  const Vec3 size = high - low;
-  const double extent = std::max({size.x, size.y, size.z, 1e-300});
-  const double cells = (1 << bits_per_axis) - 1;
-  std::vector<std::uint64_t> places;
-  places.reserve(positions.size());
-  for (const Vec3& p : positions) {
-    std::array<std::uint32_t, 3> cell{};
-    for (int axis = 0; axis < 3; ++axis) {
-      cell[static_cast<std::size_t>(axis)] =
-          static_cast<std::uint32_t>((p[axis] - low[axis]) / extent * cells);
-    }
-    places.push_back(hilbert_index(cell));
-  }
-  return places;
-}
-
-template <class Key>
-std::vector<std::uint32_t> sorted_rows(std::uint32_t rows, Key&& key) {
-  std::vector<std::uint32_t> order(rows);
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+// Rows by ascending key, equal keys in their old order; keys lie below `keys`.
+std::vector<std::uint32_t> sorted_by(std::size_t keys, const std::vector<std::uint32_t>& key) {
+  std::vector<std::uint32_t> first(keys + 1, 0);
+  for (const std::uint32_t k : key) ++first[k + 1];
+  for (std::size_t k = 0; k < keys; ++k) first[k + 1] += first[k];
+  std::vector<std::uint32_t> order(key.size());
+  for (std::uint32_t i = 0; i < key.size(); ++i) order[first[key[i]]++] = i;
   return order;
 }
 
 }  // namespace
 
 void restore_spatial_order(Film& film) {
-  if (film.vertex_rows() == 0) return;
-  const std::vector<std::uint64_t> place = curve_places(film.positions());
-  const std::vector<std::uint32_t> vertices =
-      sorted_rows(film.vertex_rows(), [&](std::uint32_t v) { return place[v]; });
+  const std::vector<std::uint32_t> vertices = breadth_first(film);
   std::vector<std::uint32_t> rank(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) rank[vertices[i]] = static_cast<std::uint32_t>(i);
-
-  const auto first_corner = [&](const auto& corners) {
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) rank[vertices[i]] = i;
+  const auto first_of = [&](const auto& corners) {
     std::uint32_t first = no_index;
     for (const Vertex v : corners) first = std::min(first, rank[v.index]);
     return first;
   };
-  film.renumber(
-      vertices,
-      sorted_rows(film.edge_rows(), [&](std::uint32_t e) { return first_corner(film.ends(Edge(e))); }),
-      sorted_rows(film.triangle_rows(),
-                  [&](std::uint32_t t) { return first_corner(film.corners(Triangle(t))); }));
+  std::vector<std::uint32_t> edge_key;
+  std::vector<std::uint32_t> triangle_key;
+  for (const auto& ends : film.connectivity().edge_vertices) edge_key.push_back(first_of(ends));
+  for (const auto& corners : film.connectivity().triangle_vertices) triangle_key.push_back(first_of(corners));
+  film.renumber(vertices, sorted_by(vertices.size(), edge_key), sorted_by(vertices.size(), triangle_key));
+}
+
+void restore_spatial_order_if_large(Film& film) {
+  if (film.triangle_count() < facets_in_cache) return;
+  // Neighbouring rows of a well ordered surface lie within a few of its widths.
+  if (mean_row_distance(film) > 4 * std::sqrt(static_cast<double>(film.vertex_count()))) restore_spatial_order(film);
 }
 
 double mean_row_distance(const Film& film) {
   double sum = 0;
-  for (std::uint32_t t = 0; t < film.triangle_rows(); ++t) {
-    const auto& corner = film.corners(Triangle(t));
+  for (const auto& corner : film.connectivity().triangle_vertices) {
     if (!corner[0].valid()) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       sum += std::abs(static_cast<double>(corner[k].index) - static_cast<double>(corner[(k + 1) % 3].index));

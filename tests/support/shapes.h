@@ -1,6 +1,7 @@
 // Films built in code, for tests.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
