@@ -1,0 +1,289 @@
+#include "datafile/element_attributes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "datafile/attributes.h"
+#include "language/functions.h"
+#include "text/suggest.h"
+
+namespace lamella::datafile {
+
+namespace {
+
+using film::ElementKind;
+using language::Token;
+
+film::Column* find_column(Reading& reading, ElementKind kind, std::string_view name) {
+  std::vector<film::Column>& columns = reading.rows.columns_of(kind);
+  const auto at =
+      std::find_if(columns.begin(), columns.end(), [&](const auto& column) { return column.name == name; });
+  return at == columns.end() ? nullptr : &*at;
+}
+
+bool is_declared(Reading& reading, ElementKind kind, std::string_view word) {
+  const std::string key = text::lower(word);
+  return known_column(kind, key) == nullptr && find_column(reading, kind, key) != nullptr;
+}
+
+bool is_any_attribute(Reading& reading, std::string_view word) {
+  if (is_attribute_word(word)) return true;
+  for (const ElementKind kind :
+       {ElementKind::vertex, ElementKind::edge, ElementKind::facet, ElementKind::body}) {
+    if (is_declared(reading, kind, word)) return true;
+  }
+  return false;
+}
+
+void make_room(film::Column& column, std::uint32_t row) {
+  const std::size_t values = std::visit([](const auto& data) { return data.size(); }, column.data);
+  if (values <= std::size_t{row} * static_cast<std::size_t>(column.width))
+    column.resize(std::size_t{row} + 1);
+}
+
+class AttributeReader {
+ public:
+  AttributeReader(Reading& reading, RowReader& line, ElementKind kind, std::uint32_t row)
+      : reading_(reading), line_(line), kind_(kind), row_(row) {}
+
+  void read();
+
+ private:
+  BodyRow& body() { return reading_.rows.bodies[row_]; }
+  film::Column& column(std::string_view name);
+  void set(std::string_view column, double value);
+  GivenValue value(const Token& word, std::string_view what = "a number");
+  double whole_value(const Token& word);
+  void known(const AttributeWord& attribute, const Token& word);
+  void volume(const Token& word);
+  void pressure(const Token& word);
+  void refuse_both(const std::optional<GivenValue>& other, const Token& word);
+  void declared(film::Column& column, const Token& word);
+  void braced(film::Column& column, const Token& word, std::size_t dimension, int first, int count);
+
+  Reading& reading_;
+  RowReader& line_;
+  ElementKind kind_;
+  std::uint32_t row_;
+};
+
+void AttributeReader::read() {
+  while (!line_.at_line_end()) {
+    if (!line_.at_word()) {
+      const Spot spot = line_.here();
+      const std::string found(line_.at_number() && !line_.at_word() ? "a number"
+                                                                    : language::describe(line_.peek()));
+      throw text::Error(line_.place(spot),
+                        fmt::format("expected an attribute of {} {}, found {}", element_name(kind_),
+                                    reading_.rows.of(kind_).ids[row_], found));
+    }
+    const Token word = line_.word();
+    if (const AttributeWord* attribute = attribute_word(kind_, word.text)) {
+      known(*attribute, word);
+    } else if (is_declared(reading_, kind_, word.text)) {
+      declared(*find_column(reading_, kind_, text::lower(word.text)), word);
+    } else {
+      refuse_attribute(reading_, kind_, word);
+    }
+  }
+}
+
+// Columns of the language's own attributes are made when the first element has one.
+film::Column& AttributeReader::column(std::string_view name) {
+  if (film::Column* const existing = find_column(reading_, kind_, name)) return *existing;
+  return reading_.rows.columns_of(kind_).emplace_back(make_column(*known_column(kind_, name)));
+}
+
+void AttributeReader::set(std::string_view name, double value) {
+  film::Column& to = column(name);
+  make_room(to, row_);
+  to.set(row_, 0, value);
+}
+
+GivenValue AttributeReader::value(const Token& word, std::string_view what) {
+  if (at_value(reading_, line_)) return line_.value();
+  throw text::Error(line_.place(line_.here()), fmt::format("\"{}\" needs {}", word.text, what));
+}
+
+double AttributeReader::whole_value(const Token& word) {
+  const bool named = line_.at_word();
+  const Token name = named ? line_.peek() : Token{};
+  try {
+    return std::trunc(value(word).value);
+  } catch (const text::Error& error) {
+    if (!named || is_any_attribute(reading_, name.text)) throw;
+    std::vector<std::string> colors;
+    for (const language::NamedNumber& number : language::named_numbers()) colors.emplace_back(number.name);
+    throw text::Error(name.place, fmt::format("unknown color \"{}\"", name.text),
+                      text::did_you_mean(name.text, colors));
+  }
+}
+
+void AttributeReader::known(const AttributeWord& attribute, const Token& word) {
+  switch (attribute.action) {
+    case AttributeAction::flag:
+      set(attribute.column, 1);
+      break;
+    case AttributeAction::number:
+      set(attribute.column, value(word).value);
+      break;
+    case AttributeAction::whole:
+      set(attribute.column, whole_value(word));
+      break;
+    case AttributeAction::both_colors: {
+      const double color = whole_value(word);
+      set("color", color);
+      set("backcolor", color);
+      break;
+    }
+    case AttributeAction::original: {
+      const GivenValue given = value(word);
+      const bool fits = std::abs(given.value) <= std::numeric_limits<std::int32_t>::max();
+      if (!fits) throw text::Error(line_.place(given.spot), "this number is too large");
+      reading_.rows.originals[static_cast<std::size_t>(kind_)].emplace_back(
+          row_, static_cast<std::int32_t>(given.value));
+      break;
+    }
+    case AttributeAction::volume:
+      volume(word);
+      break;
+    case AttributeAction::pressure:
+      pressure(word);
+      break;
+    case AttributeAction::density:
+      body().density = value(word).value;
+      break;
+    case AttributeAction::volume_constant:
+      body().volume_constant = value(word).value;
+      break;
+    case AttributeAction::actual_volume:
+      body().actual_volume = value(word);
+      break;
+    case AttributeAction::multiplier:
+      body().multiplier = value(word).value;
+      break;
+    case AttributeAction::nothing:
+      while (line_.at_number()) line_.value();
+      break;
+    case AttributeAction::refused:
+      reading_.refuse(word.place, text::lower(word.text), attribute.column);
+      line_.skip_line();
+      break;
+  }
+}
+
+void AttributeReader::volume(const Token& word) {
+  refuse_both(body().pressure, word);
+  const GivenValue given = value(word);
+  if (given.value <= 0) {
+    throw text::Error(line_.place(given.spot),
+                      fmt::format("the volume of a body must be positive, not {}", given.value));
+  }
+  body().volume = given;
+}
+
+void AttributeReader::pressure(const Token& word) {
+  refuse_both(body().volume, word);
+  body().pressure = value(word);
+}
+
+void AttributeReader::refuse_both(const std::optional<GivenValue>& other, const Token& word) {
+  if (!other) return;
+  throw text::Error(word.place, "a body has either a volume or a pressure, not both",
+                    "the pressure of a body of given volume is what keeps it there");
+}
+
+// --- attributes of the user
+
+void AttributeReader::declared(film::Column& column, const Token& word) {
+  make_room(column, row_);
+  column.blank_row(row_);
+  if (!line_.at_line_end() && !line_.at_number() && line_.accept("{")) {
+    braced(column, word, 0, 0, column.width);
+    return;
+  }
+  const std::string what =
+      column.width == 1 ? std::string("a value") : fmt::format("{} values", column.width);
+  const bool integer = std::holds_alternative<film::Integers>(column.data);
+  for (int i = 0; i < column.width; ++i) {
+    const double given = value(word, what).value;
+    column.set(row_, i, integer ? std::trunc(given) : given);
+  }
+}
+
+// After an opening brace: `count` values from `first`, in further braces where there are more dimensions.
+// Those left out are zero.
+void AttributeReader::braced(film::Column& column, const Token& word, std::size_t dimension, int first,
+                             int count) {
+  line_.begin_braces();
+  const int parts = dimension < column.shape.size() ? column.shape[dimension] : 1;
+  const int part_size = count / parts;
+  const bool integer = std::holds_alternative<film::Integers>(column.data);
+  for (int part = 0; !line_.accept("}"); ++part) {
+    const Spot spot = line_.here();
+    if (line_.at_line_end()) {
+      throw text::Error(line_.place(spot),
+                        fmt::format("the values of \"{}\" are never closed: missing \"}}\"", word.text));
+    }
+    if (part == parts) {
+      throw text::Error(line_.place(spot),
+                        fmt::format("too many values for \"{}\": it takes {}", word.text, parts));
+    }
+    const int at = first + part * part_size;
+    if (line_.accept("{")) {
+      if (part_size == 1 && dimension + 1 >= column.shape.size()) {
+        throw text::Error(line_.place(spot), fmt::format("\"{}\" has no further dimension", word.text));
+      }
+      braced(column, word, dimension + 1, at, part_size);
+    } else {
+      const double given = value(word, "a value or a \"}\"").value;
+      column.set(row_, at, integer ? std::trunc(given) : given);
+    }
+  }
+}
+
+}  // namespace
+
+bool at_value(Reading& reading, RowReader& line) {
+  if (line.at_line_end()) return false;
+  if (line.at_number()) return true;
+  return line.at_word() && !is_any_attribute(reading, line.peek().text);
+}
+
+bool begins_attribute(Reading& reading, ElementKind kind, std::string_view word) {
+  return attribute_word(kind, word) != nullptr || is_declared(reading, kind, word);
+}
+
+void refuse_attribute(Reading& reading, ElementKind kind, const Token& word) {
+  if (is_attribute_word(word.text)) {
+    throw text::Error(word.place, fmt::format("\"{}\" is an attribute of {}, not of {}", word.text,
+                                              kinds_with_attribute(word.text), element_plural(kind)));
+  }
+  std::vector<std::string> known;
+  for (const AttributeWord& attribute : attribute_words()) {
+    if (attribute_word(kind, attribute.word) != nullptr) known.emplace_back(attribute.word);
+  }
+  for (const film::Column& column : reading.rows.columns_of(kind)) known.push_back(column.name);
+  for (const ElementKind other :
+       {ElementKind::vertex, ElementKind::edge, ElementKind::facet, ElementKind::body}) {
+    if (!is_declared(reading, other, word.text)) continue;
+    throw text::Error(word.place, fmt::format("\"{}\" is declared as an attribute of {}, not of {}",
+                                              word.text, element_plural(other), element_plural(kind)));
+  }
+  std::string hint = text::did_you_mean(word.text, known);
+  if (hint.empty()) {
+    hint = fmt::format("an attribute of one's own is declared before the lists: define {} attribute {} real",
+                       film::name_of(kind), word.text);
+  }
+  throw text::Error(word.place, fmt::format("{} have no attribute \"{}\"", element_plural(kind), word.text),
+                    hint);
+}
+
+void read_attributes(Reading& reading, RowReader& line, ElementKind kind, std::uint32_t row) {
+  AttributeReader(reading, line, kind, row).read();
+}
+
+}  // namespace lamella::datafile

@@ -1,0 +1,50 @@
+// What the parts of the reader share while one datafile is read.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "datafile/findings.h"
+#include "datafile/rows.h"
+#include "datafile/token_source.h"
+#include "scene/scene.h"
+
+namespace lamella::datafile {
+
+struct Reading {
+  explicit Reading(text::SourcePointer file) : tokens(std::move(file)) {}
+
+  TokenSource tokens;
+  Findings findings;
+  scene::Scene scene;  // settings and variables; the film comes last
+  Rows rows;
+  std::vector<text::Place> procedures;  // of the top section, from their first word to the closing brace
+  bool keep_originals = false;          // elements keep their numbers
+  bool keep_macros = false;             // macros stay in force in the commands after `read`
+  std::map<std::string, text::Place, std::less<>> defined;  // where each variable was, by lower-case name
+  std::set<std::string_view> refused;                       // what was found that is not supported
+
+  // Says once for each feature that it is not supported. `word` is what stands in the file, `feature` what it
+  // is about.
+  void refuse(const text::Place& place, std::string_view word, std::string_view feature);
+
+  // Runs one step; a mistake in it is noted, and then `recover()` finds the place to go on.
+  template <class Step, class Recover>
+  void attempt(Step&& step, Recover&& recover) {
+    try {
+      step();
+    } catch (const Unreadable&) {
+      throw;
+    } catch (const language::Incomplete&) {
+      throw;
+    } catch (const text::Error& error) {
+      findings.take(error);
+      recover();
+    }
+  }
+};
+
+}  // namespace lamella::datafile

@@ -1,0 +1,448 @@
+#include "datafile/token_source.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "text/suggest.h"
+#include "text/whole_file.h"
+
+namespace lamella::datafile {
+
+namespace {
+
+namespace files = std::filesystem;
+using language::Token;
+using language::TokenKind;
+
+constexpr std::size_t most_sources = 10000;
+// What one use of a macro may grow to: a dozen lines of doubling macros would fill the memory.
+constexpr std::size_t most_macro_tokens = 100000;
+
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == ',' || c == ':' || c == ';';
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// 1 for LF or CR, 2 for CR LF, 0 if no line ends here.
+std::uint32_t line_end_length(std::string_view content, std::size_t at) {
+  if (at >= content.size()) return 0;
+  if (content[at] == '\n') return 1;
+  if (content[at] != '\r') return 0;
+  return at + 1 < content.size() && content[at + 1] == '\n' ? 2 : 1;
+}
+
+// Past blanks, separators and spliced line ends.
+std::uint32_t skip_blanks(std::string_view content, std::uint32_t at) {
+  while (at < content.size()) {
+    if (is_space(content[at])) {
+      ++at;
+    } else if (content[at] == '\\' && line_end_length(content, at + 1) > 0) {
+      at += 1 + line_end_length(content, at + 1);
+    } else {
+      break;
+    }
+  }
+  return at;
+}
+
+bool ends_number(std::string_view content, std::size_t at) {
+  if (at >= content.size()) return true;
+  const char c = content[at];
+  return is_space(c) || c == '\n' || c == '\r' || c == '}' ||
+         (c == '\\' && line_end_length(content, at + 1) > 0);
+}
+
+// The length of a whole number of few digits that stands alone; 0 if there is none. Most numbers of a
+// datafile are numbers of elements.
+std::uint32_t plain_whole(std::string_view content, std::size_t at, double& value) {
+  constexpr std::size_t most_digits = 9;
+  std::uint32_t number = 0;
+  std::size_t end = at;
+  for (; end < content.size() && end < at + most_digits && is_digit(content[end]); ++end) {
+    number = 10 * number + static_cast<std::uint32_t>(content[end] - '0');
+  }
+  if (end == at || !ends_number(content, end)) return 0;
+  value = number;
+  return static_cast<std::uint32_t>(end - at);
+}
+
+// The length of a decimal number, with a minus sign or without, that stands alone; 0 if there is none.
+std::uint32_t plain_number(std::string_view content, std::size_t at, double& value) {
+  constexpr std::uint32_t longest = std::numeric_limits<std::uint16_t>::max();  // of a Spot
+  const std::uint32_t sign = at < content.size() && content[at] == '-' ? 1 : 0;
+  if (const std::uint32_t digits = plain_whole(content, at + sign, value)) {
+    if (sign != 0) value = -value;
+    return sign + digits;
+  }
+  const std::string_view rest = content.substr(std::min(at + sign, content.size()), 2);
+  const bool begins =
+      !rest.empty() && (is_digit(rest[0]) || (rest.size() == 2 && rest[0] == '.' && is_digit(rest[1])));
+  if (!begins) return 0;
+  const char* const first = content.data() + at;
+  const auto [last, code] = std::from_chars(first, content.data() + content.size(), value);
+  const auto length = static_cast<std::size_t>(last - first);
+  if (code != std::errc{} || length > longest || !ends_number(content, at + length)) return 0;
+  return static_cast<std::uint32_t>(length);
+}
+
+std::string canonical(const std::string& path) {
+  std::error_code ignored;
+  return files::weakly_canonical(path, ignored).string();
+}
+
+// The folders in which an included file is looked for.
+std::vector<files::path> include_folders(const std::string& including, const std::string& main_file) {
+  std::vector<files::path> folders{files::path(including).parent_path(),
+                                   files::path(main_file).parent_path()};
+  const char* const listed = std::getenv("EVOLVERPATH");
+  std::string_view rest = listed != nullptr ? listed : "";
+  while (!rest.empty()) {
+    const std::size_t colon = std::min(rest.find(':'), rest.size());
+    if (colon > 0) folders.emplace_back(rest.substr(0, colon));
+    rest.remove_prefix(std::min(rest.size(), colon + 1));
+  }
+  return folders;
+}
+
+std::optional<std::string> find_included(const std::string& name, const std::vector<files::path>& folders) {
+  for (const files::path& folder : folders) {
+    const files::path candidate = folder / name;
+    std::error_code ignored;
+    if (files::exists(candidate, ignored)) return candidate.string();
+  }
+  return std::nullopt;
+}
+
+text::SourcePointer read_included(const std::string& path, const Token& name) {
+  std::error_code ignored;
+  if (files::is_directory(path, ignored)) {
+    throw Unreadable(name.place, fmt::format("\"{}\" is a folder, not a file", name.content));
+  }
+  try {
+    return read_text(path);
+  } catch (const text::Error& error) {
+    throw Unreadable(name.place, error.diagnostics().front().message);
+  }
+}
+
+}  // namespace
+
+text::SourcePointer read_text(const std::string& path) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  std::string content = text::read_whole_file(path);
+  if (content.starts_with(byte_order_mark)) content.erase(0, byte_order_mark.size());
+  return text::make_source(path, std::move(content));
+}
+
+void PlainRow::clear() {
+  values.clear();
+  spots.clear();
+  complete = false;
+}
+
+TokenSource::TokenSource(text::SourcePointer file) {
+  std::string path = canonical(file->name);
+  open(std::move(file), std::move(path), {});
+}
+
+void TokenSource::open(text::SourcePointer source, std::string canonical_path,
+                       const text::Place& included_at) {
+  sources_.push_back(source);
+  files_.push_back({language::Lexer(std::move(source), language::LexerMode::datafile),
+                    std::move(canonical_path), included_at});
+}
+
+const Token& TokenSource::peek(std::size_t ahead) {
+  while (ahead_.size() <= ahead) ahead_.push_back(next());
+  return ahead_[ahead];
+}
+
+Token TokenSource::take() {
+  peek();
+  Token result = std::move(ahead_.front());
+  ahead_.pop_front();
+  at_line_start_ = result.is(TokenKind::newline);
+  return result;
+}
+
+void TokenSource::skip_line() {
+  while (true) {
+    try {
+      while (!peek().ends_line()) take();
+      return;
+    } catch (const Unreadable&) {
+      throw;
+    } catch (const language::Incomplete&) {
+      throw;
+    } catch (const text::Error&) {
+      // One mistake has been found on this line already.
+    }
+  }
+}
+
+Token TokenSource::next() {
+  while (true) {
+    if (!expanded_.empty()) {
+      Token result = std::move(expanded_.front());
+      expanded_.pop_front();
+      return result;
+    }
+    Token token = files_.back().lexer.next();
+    if (token.is(TokenKind::end) && files_.size() > 1) {
+      files_.pop_back();
+      token.kind = TokenKind::newline;
+      return token;
+    }
+    if (token.is_symbol("#")) {
+      directive(token);
+      continue;
+    }
+    if (!token.is(TokenKind::word) || macros_.empty()) return token;
+    const auto macro = macros_.find(token.text);
+    if (macro == macros_.end()) return token;
+    std::vector<std::string> active;
+    std::vector<Token> tokens;
+    expand(macro->first, token, active, tokens);
+    std::move(tokens.begin(), tokens.end(), std::back_inserter(expanded_));
+  }
+}
+
+void TokenSource::directive(const Token& hash) {
+  const Token word = files_.back().lexer.next();
+  if (word.is_word("define")) {
+    define(hash);
+  } else if (word.is_word("include")) {
+    include(hash);
+  } else {
+    const std::string name = word.ends_line() ? "#" : fmt::format("#{}", word.text);
+    throw text::Error(word.ends_line() ? hash.place : language::join(hash.place, word.place),
+                      fmt::format("unknown directive {}", name),
+                      "there are #define NAME text and #include \"file\"");
+  }
+}
+
+void TokenSource::define(const Token& hash) {
+  language::Lexer& lexer = files_.back().lexer;
+  const Token name = lexer.next();
+  if (!name.is(TokenKind::word)) {
+    if (name.ends_line()) lexer.seek(name.place.offset);
+    throw text::Error(language::join(hash.place, name.place), "#define needs a name",
+                      "write #define NAME text");
+  }
+  Macro macro;
+  macro.place = name.place;
+  while (true) {
+    const std::uint32_t before = lexer.offset();
+    Token token = lexer.next();
+    if (token.ends_line()) {
+      lexer.seek(before);
+      break;
+    }
+    macro.tokens.push_back(std::move(token));
+  }
+  macros_[std::string(name.text)] = std::move(macro);
+}
+
+void TokenSource::include(const Token& hash) {
+  const Token name = files_.back().lexer.next();
+  if (!name.is(TokenKind::string)) {
+    if (name.ends_line()) files_.back().lexer.seek(name.place.offset);
+    throw Unreadable(name.ends_line() ? hash.place : name.place,
+                     "the name of an included file stands in quotes", "write #include \"file\"");
+  }
+  const std::vector<files::path> folders =
+      include_folders(files_.back().lexer.source()->name, sources_.front()->name);
+  const std::optional<std::string> path = find_included(name.content, folders);
+  if (!path) {
+    throw Unreadable(
+        name.place, fmt::format("cannot find the file \"{}\"", name.content),
+        "it is looked for beside this file, beside the datafile, and in the folders of EVOLVERPATH");
+  }
+  std::string canonical_path = canonical(*path);
+  refuse_loop(canonical_path, name);
+  if (sources_.size() >= most_sources) throw Unreadable(name.place, "too many files are included");
+  open(read_included(*path, name), std::move(canonical_path), name.place);
+}
+
+void TokenSource::refuse_loop(const std::string& canonical_path, const Token& name) const {
+  const auto again = std::find_if(files_.begin(), files_.end(), [&](const OpenFile& file) {
+    return file.canonical_path == canonical_path;
+  });
+  if (again == files_.end()) return;
+  std::string chain;
+  text::Diagnostic diagnostic;
+  for (auto file = again; file != files_.end(); ++file) {
+    chain += fmt::format("{} includes ", files::path(file->lexer.source()->name).filename().string());
+    if (file->included_at.known()) diagnostic.notes.push_back({file->included_at, "included from here"});
+  }
+  diagnostic.place = name.place;
+  diagnostic.message = fmt::format("a file includes itself: {}{}", chain,
+                                   files::path(again->lexer.source()->name).filename().string());
+  throw Unreadable(std::move(diagnostic));
+}
+
+// Appends what stands for a macro, macros inside it replaced as well; `active` are the macros being replaced.
+void TokenSource::expand(const std::string& name, const Token& use, std::vector<std::string>& active,
+                         std::vector<Token>& into) const {
+  const Macro& macro = macros_.find(name)->second;
+  if (std::find(active.begin(), active.end(), name) != active.end()) {
+    throw text::Error({text::Severity::error,
+                       use.place,
+                       fmt::format("the macro {} leads to itself", name),
+                       {},
+                       {{macro.place, "it is defined here"}}});
+  }
+  active.push_back(name);
+  bool first = true;
+  for (const Token& token : macro.tokens) {
+    if (into.size() >= most_macro_tokens) {
+      throw text::Error(use.place,
+                        fmt::format("the macro {} grows to more than {} words", name, most_macro_tokens));
+    }
+    const auto inner = token.is(TokenKind::word) ? macros_.find(token.text) : macros_.end();
+    if (inner != macros_.end()) {
+      Token nested = use;
+      if (!first) nested.space_before = token.space_before;
+      expand(inner->first, nested, active, into);
+    } else {
+      into.push_back(token);
+      into.back().place = use.place;
+      if (first) into.back().space_before = use.space_before;
+    }
+    first = false;
+  }
+  active.pop_back();
+}
+
+Spot TokenSource::spot(const text::Place& place) const {
+  Spot result;
+  result.offset = place.offset;
+  result.length = static_cast<std::uint16_t>(
+      std::min<std::uint32_t>(place.length, std::numeric_limits<std::uint16_t>::max()));
+  for (std::size_t i = sources_.size(); i-- > 0;) {
+    if (sources_[i] == place.source) result.source = static_cast<std::uint16_t>(i);
+  }
+  return result;
+}
+
+text::Place TokenSource::place(Spot spot) const {
+  return {sources_[spot.source], spot.offset, spot.length};
+}
+
+// Numbers and blanks from byte `at` on. Returns where something else stands.
+std::uint32_t TokenSource::scan_numbers(std::uint32_t at, PlainRow& row) const {
+  const language::Lexer& lexer = files_.back().lexer;
+  const std::string_view content = std::string_view(lexer.source()->content).substr(0, lexer.end());
+  const std::uint16_t source = spot({lexer.source(), 0, 0}).source;
+  while (true) {
+    at = skip_blanks(content, at);
+    double value = 0;
+    const std::uint32_t length = plain_number(content, at, value);
+    if (length == 0) return at;
+    row.values.push_back(value);
+    row.spots.push_back({at, source, static_cast<std::uint16_t>(length)});
+    at += length;
+  }
+}
+
+// The last number may be part of a formula, so tokens begin with it.
+void TokenSource::give_back_last(std::uint32_t begin, PlainRow& row) {
+  if (!row.values.empty()) {
+    row.values.pop_back();
+    row.spots.pop_back();
+  }
+  files_.back().lexer.seek(row.values.empty() ? begin : row.spots.back().offset + row.spots.back().length);
+}
+
+void TokenSource::take_plain_row(PlainRow& row) {
+  row.clear();
+  if (!ahead_.empty() || !expanded_.empty()) return;
+  language::Lexer& lexer = files_.back().lexer;
+  const std::string_view content = std::string_view(lexer.source()->content).substr(0, lexer.end());
+  std::uint32_t begin = lexer.offset();
+  while (line_end_length(content, skip_blanks(content, begin)) > 0) {
+    begin = skip_blanks(content, begin);
+    begin += line_end_length(content, begin);
+  }
+  const std::uint32_t at = scan_numbers(begin, row);
+  const std::uint32_t line_end = line_end_length(content, at);
+  if (row.values.empty() || (line_end == 0 && at < content.size())) {
+    give_back_last(begin, row);
+    return;
+  }
+  row.end = {at, row.spots.back().source, 1};
+  row.complete = true;
+  lexer.seek(at + line_end);
+}
+
+void TokenSource::take_plain_values(PlainRow& row) {
+  row.clear();
+  if (!ahead_.empty() || !expanded_.empty()) return;
+  language::Lexer& lexer = files_.back().lexer;
+  const std::uint32_t begin = lexer.offset();
+  const std::uint32_t at = scan_numbers(begin, row);
+  if (at < lexer.end() && lexer.source()->content[at] == '}') {
+    lexer.seek(at);
+  } else {
+    give_back_last(begin, row);
+  }
+}
+
+std::vector<text::Place> TokenSource::take_rest(bool keep_macros) {
+  std::vector<text::Place> rests;
+  for (std::size_t i = files_.size(); i-- > 0;) {
+    const language::Lexer& lexer = files_[i].lexer;
+    std::uint32_t begin = lexer.offset();
+    if (i + 1 == files_.size() && !ahead_.empty()) begin = ahead_.front().place.offset;
+    rests.push_back({lexer.source(), begin, lexer.end() - begin});
+    if (keep_macros && !macros_.empty()) {
+      const text::Place& rest = rests.back();
+      std::string content = rest.source->content.substr(0, begin) + expanded_text(rest);
+      const auto length = static_cast<std::uint32_t>(content.size() - begin);
+      rests.back() = {text::make_source(rest.source->name, std::move(content)), begin, length};
+    }
+  }
+  ahead_.clear();
+  expanded_.clear();
+  return rests;
+}
+
+// Text with each macro replaced by the words it stands for. Lines stay what they are, so messages show the
+// right line.
+std::string TokenSource::expanded_text(const text::Place& rest) const {
+  std::string result;
+  const std::string_view content = rest.source->content;
+  std::uint32_t copied = rest.offset;
+  language::Lexer lexer(rest, language::LexerMode::command);
+  while (true) {
+    Token token;
+    try {
+      token = lexer.next();
+    } catch (const text::Error&) {
+      break;  // whoever runs the text will find the same, and say so
+    }
+    if (token.is(TokenKind::end)) break;
+    if (!token.is(TokenKind::word) || !macros_.contains(token.text)) continue;
+    result += content.substr(copied, token.place.offset - copied);
+    std::vector<std::string> active;
+    std::vector<Token> tokens;
+    expand(std::string(token.text), token, active, tokens);
+    for (const Token& word : tokens) {
+      if (&word != tokens.data() && word.space_before) result += word.separator != 0 ? word.separator : ' ';
+      result += word.text;
+    }
+    copied = token.place.offset + token.place.length;
+  }
+  return result += content.substr(copied, rest.offset + rest.length - copied);
+}
+
+}  // namespace lamella::datafile

@@ -1,0 +1,95 @@
+#include "datafile/write.h"
+
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "datafile/attributes.h"
+#include "datafile/title.h"
+#include "datafile/top_section.h"
+#include "datafile/write_commands.h"
+#include "datafile/write_elements.h"
+
+namespace lamella::datafile {
+
+namespace {
+
+using film::ElementKind;
+
+template <class... Arguments>
+void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
+}
+
+void write_settings(std::string& out, const scene::Scene& scene) {
+  const scene::Scene blank;
+  if (scene.gravity.constant != blank.gravity.constant)
+    put(out, "gravity_constant {}\n", scene.gravity.constant);
+  if (scene.scale.value != blank.scale.value || scene.scale.fixed) {
+    put(out, "scale {}{}\n", scene.scale.value, scene.scale.fixed ? " fixed" : "");
+  }
+  if (scene.scale.limit != blank.scale.limit) put(out, "scale_limit {}\n", scene.scale.limit);
+  if (scene.time != blank.time) put(out, "total_time {}\n", scene.time);
+  if (scene.symmetric_content) out += "symmetric_content\n";
+  for (const SettingParameter& setting : setting_parameters()) {
+    if (setting.get(scene) != setting.blank)
+      put(out, "parameter {} = {}\n", setting.name, setting.get(scene));
+  }
+}
+
+void write_parameters(std::string& out, const scene::Scene& scene) {
+  scene.variables.for_each([&](language::VariableId id, const language::Variable& variable) {
+    const std::string value = written_value(variable.value);
+    if (variable.parameter && !value.empty())
+      put(out, "parameter {} = {}\n", scene.variables.name(id), value);
+  });
+}
+
+void write_declaration(std::string& out, ElementKind kind, const film::Column& column) {
+  const bool integer = std::holds_alternative<film::Integers>(column.data);
+  put(out, "define {} attribute {} {}", film::name_of(kind), column.name, integer ? "integer" : "real");
+  for (const int size : column.shape) put(out, "[{}]", size);
+  out += '\n';
+}
+
+void write_declarations(std::string& out, const scene::Scene& scene) {
+  for (const ElementKind kind : {ElementKind::vertex, ElementKind::edge, ElementKind::facet}) {
+    scene.film.columns(kind).for_each([&](const film::Column& column) {
+      if (is_declared_column(kind, column)) write_declaration(out, kind, column);
+    });
+  }
+  scene.body_columns.for_each([&](const film::Column& column) {
+    if (is_declared_column(ElementKind::body, column)) write_declaration(out, ElementKind::body, column);
+  });
+  for (const scene::Body& body : scene.bodies) {
+    if (!body.ramp || body.absent) continue;
+    put(out, "define body attribute {} real[{}]\n", ramp_name, ramp_width);
+    break;
+  }
+}
+
+void write_cosmetics(std::string& out, const scene::Scene& scene) {
+  for (const scene::CosmeticLine& line : scene.cosmetics) {
+    put(out, "{}{}{}\n", line.keyword, line.text.empty() || line.text.starts_with('\n') ? "" : " ",
+        line.text);
+  }
+}
+
+}  // namespace
+
+std::string write_datafile(const scene::Scene& scene) {
+  std::string out = title_comment(scene.title);
+  if (!out.empty()) out += '\n';
+  const std::size_t top = out.size();
+  if (needs_own_numbers(scene)) out += "keep_originals\n";
+  write_settings(out, scene);
+  write_parameters(out, scene);
+  write_declarations(out, scene);
+  write_cosmetics(out, scene);
+  if (out.size() > top) out += '\n';
+  write_elements(out, scene);
+  write_commands(out, scene);
+  return out;
+}
+
+}  // namespace lamella::datafile

@@ -1,0 +1,85 @@
+#include "datafile/write_commands.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace lamella::datafile {
+
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    switch (c) {
+      case '\n':
+        result += "\\n";
+        break;
+      case '\r':
+        result += "\\r";
+        break;
+      case '\t':
+        result += "\\t";
+        break;
+      case '\b':
+        result += "\\b";
+        break;
+      case '"':
+      case '\\':
+        result += '\\';
+        [[fallthrough]];
+      default:
+        result += c;
+    }
+  }
+  return result + '"';
+}
+
+// `procedure NAME(real a, real b)`, `function real NAME(...)`; empty where there are no parameters.
+std::string heading(const language::Procedure& procedure) {
+  if (procedure.parameters.empty() && !procedure.returns_value) return {};
+  return fmt::format("{} {}({})", procedure.returns_value ? "function real" : "procedure", procedure.name,
+                     fmt::join(procedure.parameters, ", "));
+}
+
+void write_variables(std::string& out, const scene::Scene& scene) {
+  scene.variables.for_each([&](language::VariableId id, const language::Variable& variable) {
+    if (variable.parameter) return;
+    const std::string value = written_value(variable.value);
+    const std::string& name = scene.variables.name(id);
+    out += value.empty() ? fmt::format("// {} was not a finite number\n", name)
+                         : fmt::format("{} := {}\n", name, value);
+  });
+}
+
+// All are announced before the first is defined, as they may call each other.
+void write_procedures(std::string& out, const scene::Scene& scene) {
+  for (const auto& [key, procedure] : scene.procedures) {
+    const std::string head = heading(procedure);
+    out += head.empty() ? fmt::format("{} := {{}}\n", procedure.name) : fmt::format("{};\n", head);
+  }
+  for (const auto& [key, procedure] : scene.procedures) {
+    if (procedure.source.empty()) continue;
+    const std::string head = heading(procedure);
+    out +=
+        fmt::format("{} {}\n", head.empty() ? fmt::format("{} :=", procedure.name) : head, procedure.source);
+  }
+}
+
+}  // namespace
+
+std::string written_value(const language::Value& value) {
+  if (const std::string* const text = std::get_if<std::string>(&value)) return quoted(*text);
+  const double number = std::get<double>(value);
+  return std::isfinite(number) ? fmt::format("{}", number) : std::string{};
+}
+
+void write_commands(std::string& out, const scene::Scene& scene) {
+  std::string commands;
+  if (!scene.gravity.on) commands += "gravity off\n";
+  write_variables(commands, scene);
+  write_procedures(commands, scene);
+  if (!commands.empty()) out += "\nread\n\n" + commands;
+}
+
+}  // namespace lamella::datafile
