@@ -175,8 +175,7 @@ class Constants : public Environment {
   Value internal(InternalId) override { refuse(); }
   double attribute(AttributeId, const Element&, int) override { refuse(); }
   bool is_defined(std::string_view name) override { return variables_.find(name) != nullptr; }
-  std::uint32_t rows(ElementKind) override { refuse(); }
-  bool alive(ElementKind, std::uint32_t) override { refuse(); }
+  std::shared_ptr<const std::vector<Element>> elements(ElementKind) override { refuse(); }
   std::optional<Element> numbered(ElementKind, double) override { refuse(); }
   std::vector<Element> parts(const Element&, ElementKind) override { refuse(); }
   Value call(const std::string&, std::span<const Value>) override { refuse(); }
@@ -193,6 +192,9 @@ class Constants : public Environment {
 
 Evaluation::Frame::Frame(Evaluation& evaluation, std::uint32_t slots)
     : evaluation_(evaluation), outer_base_(evaluation.base_), outer_size_(evaluation.locals_.size()) {
+  if (evaluation_.frames_ == 0) {
+    evaluation_.stack_origin_ = reinterpret_cast<std::intptr_t>(__builtin_frame_address(0));
+  }
   evaluation_.base_ = outer_size_;
   evaluation_.locals_.resize(outer_size_ + slots, 0.0);
   ++evaluation_.frames_;
@@ -309,9 +311,9 @@ void for_each_element(const Generator& generator, Evaluation& evaluation,
     return function(element);
   };
   if (!generator.of) {
-    const std::uint32_t rows = evaluation.environment().rows(generator.kind);
-    for (std::uint32_t row = 0; row < rows; ++row) {
-      if (evaluation.environment().alive(generator.kind, row) && !visit({generator.kind, row, false})) return;
+    const std::shared_ptr<const std::vector<Element>> all = evaluation.environment().elements(generator.kind);
+    for (const Element& element : *all) {
+      if (!visit(element)) return;
     }
     return;
   }

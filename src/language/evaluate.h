@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <variant>
@@ -33,9 +34,8 @@ class Environment {
   virtual double attribute(AttributeId id, const Element& element, int component) = 0;
   virtual bool is_defined(std::string_view name) = 0;
 
-  // Rows of a kind, and whether one of them holds an element.
-  virtual std::uint32_t rows(ElementKind kind) = 0;
-  virtual bool alive(ElementKind kind, std::uint32_t row) = 0;
+  // All elements of a kind, in the order of their numbers.
+  virtual std::shared_ptr<const std::vector<Element>> elements(ElementKind kind) = 0;
   // The element of a number that people see (negative: reversed); nothing if there is none.
   virtual std::optional<Element> numbered(ElementKind kind, double number) = 0;
   // The parts of an element, such as the edges of a facet, oriented and in order around it.
@@ -52,6 +52,8 @@ class Evaluation {
   Environment& environment() { return environment_; }
   LocalValue& local(LocalId id) { return locals_[base_ + id.slot]; }
   std::size_t frames() const { return frames_; }
+  // An address on the stack near which the outermost run began.
+  std::intptr_t stack_origin() const { return stack_origin_; }
 
   // The locals of a running procedure, for the life of this object.
   class Frame {
@@ -72,6 +74,7 @@ class Evaluation {
   std::vector<LocalValue> locals_;
   std::size_t base_ = 0;
   std::size_t frames_ = 0;
+  std::intptr_t stack_origin_ = 0;
 };
 
 // All throw text::Error with the place of the part that has no value.

@@ -322,26 +322,45 @@ Token LexerStream::take() {
   while (brackets_ > 0 && ahead_.front().is(TokenKind::newline)) ahead_.pop_front();
   Token result = std::move(ahead_.front());
   if (!result.is(TokenKind::end)) ahead_.pop_front();
+  previous_end_ = result.place.offset + result.place.length;
   return result;
 }
 
 void LexerStream::rewind(std::uint32_t mark) {
   ahead_.clear();
   lexer_.seek(mark);
+  previous_end_ = mark;
+}
+
+std::string_view LexerStream::text_from(std::uint32_t offset) const {
+  const std::string_view rest = std::string_view(lexer_.source()->content).substr(0, lexer_.end());
+  const std::size_t begin = rest.find_first_not_of(" \t", offset);
+  return begin == std::string_view::npos ? std::string_view{} : rest.substr(begin);
+}
+
+std::string_view LexerStream::text_after_next() {
+  const text::Place& next = peek().place;
+  return text_from(next.offset + next.length);
+}
+
+std::string_view LexerStream::bare_word_ahead() const {
+  const std::string_view ahead = text_ahead();
+  for (const std::string_view no_word : {"//", "/*", ">", "|"}) {
+    if (ahead.starts_with(no_word)) return {};
+  }
+  return ahead.substr(0, ahead.find_first_of(" \t\r\n\f;,{}()\""));
 }
 
 Token LexerStream::take_bare_word() {
-  const std::uint32_t begin = mark();
-  const std::string_view content = lexer_.source()->content;
-  constexpr std::string_view ends = " \t\r\n\f;,{}()\"";
-  std::uint32_t end = begin;
-  while (end < lexer_.end() && ends.find(content[end]) == std::string_view::npos) ++end;
-  Token result = peek();
+  const std::string_view word = bare_word_ahead();
+  const auto begin = static_cast<std::uint32_t>(text_ahead().data() - lexer_.source()->content.data());
+  rewind(begin + static_cast<std::uint32_t>(word.size()));
+  Token result;
   result.kind = TokenKind::word;
-  result.text = content.substr(begin, end - begin);
-  result.content = std::string(result.text);
-  result.place.length = end - begin;
-  rewind(end);
+  result.space_before = true;
+  result.text = word;
+  result.content = std::string(word);
+  result.place = {lexer_.source(), begin, static_cast<std::uint32_t>(word.size())};
   return result;
 }
 

@@ -70,7 +70,7 @@ class Lexer {
 // A lexer's tokens as a stream.
 class LexerStream : public TokenStream {
  public:
-  explicit LexerStream(Lexer lexer) : lexer_(std::move(lexer)) {}
+  explicit LexerStream(Lexer lexer) : lexer_(std::move(lexer)), previous_end_(lexer_.offset()) {}
 
   const Token& peek(std::size_t ahead = 0) override;
   Token take() override;
@@ -80,13 +80,25 @@ class LexerStream : public TokenStream {
   // The byte where the next token begins, and the way back to it.
   std::uint32_t mark() { return peek().place.offset; }
   void rewind(std::uint32_t mark);
-  // The next run of bytes up to white space, `;`, a comma, a bracket or a line's end: a file's name without
-  // quotes.
+  // The byte behind the token taken last.
+  std::uint32_t previous_end() const { return previous_end_; }
+
+  // --- what comes next, not cut into tokens: a file's name without quotes need not be made of any
+  // The text from the next byte that is no blank, and that behind the next token.
+  std::string_view text_ahead() const { return text_from(previous_end_); }
+  std::string_view text_after_next();
+  // The next run of bytes up to white space, `;`, a comma, a bracket, a quote or a line's end; empty at a
+  // comment or a redirection.
+  std::string_view bare_word_ahead() const;
+  // Takes it as a word.
   Token take_bare_word();
 
  private:
+  std::string_view text_from(std::uint32_t offset) const;
+
   Lexer lexer_;
   std::deque<Token> ahead_;
+  std::uint32_t previous_end_ = 0;
   int brackets_ = 0;
 };
 

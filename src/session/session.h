@@ -4,23 +4,26 @@
 // computations, counters, random numbers, and the values of expressions they were given unevaluated.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <memory>
 #include <random>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 
+#include "energy/measure.h"
 #include "language/evaluate.h"
 #include "scene/monitor.h"
 #include "scene/scene.h"
 #include "session/command.h"
+#include "session/names.h"
+#include "session/output.h"
 #include "text/error.h"
 
 namespace lamella::session {
+
+// How a text ended that was run.
+enum class Outcome : std::uint8_t { done, failed, interrupted, quit };
 
 class Session {
  public:
@@ -32,6 +35,7 @@ class Session {
   // --- the scene. To change it in a command needs no ceremony: a failure takes everything back.
   scene::Scene& scene();
   const scene::Scene& scene() const;
+  const energy::Measures& measures();
 
   // --- output, to wherever it is redirected
   void write(std::string_view text);
@@ -46,9 +50,14 @@ class Session {
     if (!quiet()) write(fmt::format(format, std::forward<Values>(values)...));
   }
   bool quiet() const;
+  void set_quiet(bool quiet);
+  Output& output();
   // To the standard error output, never redirected.
   void warn(const text::Diagnostic& warning);
   void warn(std::string message);
+  void report(const text::Error& error);
+  // As `report` showed it; empty if there was none.
+  const std::string& last_error() const;
 
   // --- long computations: asks to stop on Ctrl-C, draws the progress line
   scene::Monitor& monitor();
@@ -57,12 +66,41 @@ class Session {
   // Counters such as `refine_count`, readable as variables after a command has set them.
   double& counter(std::string_view name);
   std::mt19937_64& random();
+  double random_seed() const;
+  void seed_random(double seed);
 
-  // --- expressions given unevaluated
+  // --- names and values
   language::Evaluation& evaluation();
+  Names& names();
+  Attributes& attributes();
+  AttributeSource attribute_source();
+
+  // --- running text
+  // Runs statements line by line. Each is a step that `undo` takes back, and leaves the scene alone if it
+  // fails. Errors are reported; the rest is not run then, unless `keep_going`.
+  Outcome run(const text::Place& part, bool keep_going = false);
+  Outcome run(const text::SourcePointer& source, bool keep_going = false);
+  // Runs statements as a part of the one that is running; what fails is thrown.
+  void run_within(const text::Place& part);
+  void read(const std::string& path);
+  // Replaces the scene by a datafile's and runs the commands at its end.
+  void load(const std::string& path);
+  // Whether nothing is missing at the text's end: a brace, a quote, an operand.
+  bool is_complete(const text::Place& part);
+
+  // --- for a few commands
+  // Undoes (or redoes, if negative) this many steps when the running statement is done.
+  void request_undo(long steps);
+  // Ends the session when the running statement is done.
+  void request_quit();
+  // Called before each command.
+  void begin_command();
 
  private:
   struct State;
+  Outcome run_statement(const language::Block& statement, const std::string& text);
+  void apply_requested_undo();
+
   std::unique_ptr<State> state_;
 };
 

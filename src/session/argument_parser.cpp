@@ -1,0 +1,522 @@
+#include "session/argument_parser.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "language/functions.h"
+#include "session/names.h"
+#include "text/suggest.h"
+
+namespace lamella::session {
+
+using language::ExpressionParser;
+using language::ExpressionStyle;
+using language::LexerStream;
+using language::Token;
+using language::TokenKind;
+
+namespace {
+
+class ArgumentParser {
+ public:
+  ArgumentParser(const Command& command, LexerStream& tokens, Names& names)
+      : command_(command), tokens_(tokens), names_(names) {}
+
+  std::unique_ptr<const Invocation> run() {
+    word_ = tokens_.take();
+    auto call = std::make_unique<Invocation>();
+    call->command = &command_;
+    result_ = call.get();
+    while (bare() || (!language::at_command_end(tokens_) && (named() || positional() || refuse()))) {
+    }
+    for (const Argument& argument : command_.arguments) {
+      if (argument.needed && !given(argument)) {
+        throw text::Error(word_.place, fmt::format("{} needs {}", word_.text, described(argument)),
+                          "usage: " + usage(command_));
+      }
+    }
+    return call;
+  }
+
+ private:
+  ExpressionParser expressions() { return {tokens_, names_, ExpressionStyle::command}; }
+
+  static std::string described(const Argument& argument) {
+    return argument.help.empty() ? argument.name : fmt::format("{} ({})", argument.name, argument.help);
+  }
+
+  bool given(const Argument& argument) const {
+    return std::any_of(result_->arguments.begin(), result_->arguments.end(),
+                       [&](const TypedArgument& typed) { return typed.argument == &argument; });
+  }
+
+  // A file's name or a word that need not be made of tokens, if that is what comes next.
+  bool bare() {
+    const Argument* const argument = next_positional();
+    const bool takes_bare =
+        argument != nullptr && (argument->kind == ArgumentKind::file || argument->kind == ArgumentKind::word);
+    if (!takes_bare) return false;
+    const std::string_view ahead = tokens_.bare_word_ahead();
+    const bool quoted = tokens_.text_ahead().starts_with('"');
+    if ((ahead.empty() && !quoted) || is_option(ahead)) return false;
+    result_->arguments.push_back(value(*argument, word_.place));
+    return true;
+  }
+
+  const Argument* next_positional() const {
+    for (const Argument& argument : command_.arguments) {
+      if (!argument.named && !given(argument)) return &argument;
+    }
+    return nullptr;
+  }
+
+  bool is_option(std::string_view word) const {
+    const std::string key = text::lower(word.substr(0, word.find('=')));
+    return std::any_of(command_.arguments.begin(), command_.arguments.end(),
+                       [&](const Argument& argument) { return argument.named && argument.name == key; });
+  }
+
+  // An option by its name: `dt 0.01`, `dt=0.01`, or a flag.
+  bool named() {
+    const Token& token = tokens_.peek();
+    if (!token.is(TokenKind::word)) return false;
+    for (const Argument& argument : command_.arguments) {
+      if (!argument.named || !token.is_word(argument.name)) continue;
+      if (given(argument)) throw text::Error(token.place, fmt::format("{} is given twice", argument.name));
+      const Token name = tokens_.take();
+      if (tokens_.peek().is_symbol("=")) tokens_.take();
+      if (argument.kind != ArgumentKind::flag && language::at_command_end(tokens_)) {
+        throw text::Error(name.place, fmt::format("{} needs its value", name.text),
+                          "usage: " + usage(command_));
+      }
+      result_->arguments.push_back(value(argument, name.place));
+      return true;
+    }
+    return false;
+  }
+
+  // The next positional argument that what follows can be.
+  bool positional() {
+    for (const Argument& argument : command_.arguments) {
+      if (argument.named || given(argument)) continue;
+      if (fits(argument)) {
+        const text::Place place = tokens_.peek().place;
+        result_->arguments.push_back(value(argument, place));
+        return true;
+      }
+      if (argument.needed) return false;
+    }
+    return false;
+  }
+
+  bool is_known_name(std::string_view word) const {
+    return names_.variable(word) || names_.internal(word) || names_.locals().find(word) != nullptr;
+  }
+  bool is_known_value(const Token& token) const { return is_known_name(token.text); }
+
+  // Whether the next token can begin such an argument; a word that means nothing is better refused as an
+  // unknown option.
+  bool fits(const Argument& argument) {
+    const Token& token = tokens_.peek();
+    const bool elements = expressions().at_elements();
+    switch (argument.kind) {
+      case ArgumentKind::elements:
+      case ArgumentKind::selection:
+      case ArgumentKind::setting:
+        return elements;
+      case ArgumentKind::word:
+      case ArgumentKind::file:
+        return true;
+      case ArgumentKind::definition:
+      case ArgumentKind::expressions:
+      case ArgumentKind::printable:
+        return true;
+      case ArgumentKind::text:
+        if (!argument.choices.empty()) return is_choice(argument, token);
+        break;
+      case ArgumentKind::number:
+      case ArgumentKind::count:
+        if (!argument.word_for_none.empty() && token.is_word(argument.word_for_none)) return true;
+        if (elements && !tokens_.peek(1).is_symbol("[") && !tokens_.peek(1).is_symbol(".")) return false;
+        break;
+      default:
+        break;
+    }
+    if (!token.is(TokenKind::word)) return !token.is_symbol("=") && !token.is_symbol(",");
+    return elements || begins_value(token);
+  }
+
+  // A word that means nothing is better refused as an unknown option than as an unknown value.
+  bool begins_value(const Token& token) {
+    const language::Local* const in_turn = names_.locals().element_in_turn();
+    const bool attribute = in_turn != nullptr && names_.attribute(*in_turn->element, token.text);
+    return attribute || is_known_value(token) || language::named_number(token.text) || token.is_word("not") ||
+           token.is_word("sprintf") || tokens_.peek(1).is_symbol("(");
+  }
+
+  static bool is_choice(const Argument& argument, const Token& token) {
+    return token.is(TokenKind::word) && std::find(argument.choices.begin(), argument.choices.end(),
+                                                  text::lower(token.text)) != argument.choices.end();
+  }
+
+  [[noreturn]] bool refuse() {
+    const Token& token = tokens_.peek();
+    std::vector<std::string> known;
+    for (const Argument& argument : command_.arguments) {
+      if (argument.named) known.push_back(argument.name);
+      known.insert(known.end(), argument.choices.begin(), argument.choices.end());
+    }
+    names_.collect_names(known);
+    const std::string near =
+        token.is(TokenKind::word) ? text::did_you_mean(token.text, known) : std::string{};
+    const std::string message =
+        command_.arguments.empty()
+            ? fmt::format("{} takes no arguments, found {}", word_.text, describe(token))
+            : fmt::format("{} does not take {} here", word_.text, describe(token));
+    const std::string semicolon = "commands on one line are separated by semicolons";
+    const std::string hint = command_.arguments.empty() ? semicolon : "usage: " + usage(command_);
+    throw text::Error(token.place, message, near.empty() ? hint : near);
+  }
+
+  TypedArgument value(const Argument& argument, const text::Place& place) {
+    TypedArgument typed;
+    typed.argument = &argument;
+    typed.place = place;
+    switch (argument.kind) {
+      case ArgumentKind::flag:
+        break;
+      case ArgumentKind::number:
+      case ArgumentKind::count:
+      case ArgumentKind::text:
+        simple(typed);
+        break;
+      case ArgumentKind::file:
+        file(typed);
+        break;
+      case ArgumentKind::word:
+        typed.word = tokens_.take_bare_word().content;
+        break;
+      case ArgumentKind::numbers:
+        numbers(typed);
+        break;
+      case ArgumentKind::elements:
+      case ArgumentKind::selection:
+        generator(typed);
+        break;
+      case ArgumentKind::expressions:
+        list(typed);
+        break;
+      case ArgumentKind::setting:
+        setting(typed);
+        break;
+      case ArgumentKind::definition:
+        definition(typed);
+        break;
+      case ArgumentKind::printable:
+        printable(typed);
+        break;
+    }
+    return typed;
+  }
+
+  void simple(TypedArgument& typed) {
+    const Token& token = tokens_.peek();
+    const Argument& argument = *typed.argument;
+    if (!argument.word_for_none.empty() && token.is_word(argument.word_for_none)) {
+      typed.word = text::lower(tokens_.take().text);
+      return;
+    }
+    if (!argument.choices.empty()) {
+      if (!is_choice(argument, token)) {
+        throw text::Error(token.place,
+                          fmt::format("{} is one of {}, not {}", argument.name,
+                                      fmt::join(argument.choices, ", "), describe(token)),
+                          text::did_you_mean(token.text, argument.choices));
+      }
+      typed.word = text::lower(tokens_.take().text);
+      return;
+    }
+    typed.expressions.push_back(expressions().expression());
+    typed.place = typed.expressions.front()->place;
+  }
+
+  // A quoted string, a string variable, or the bare path.
+  void file(TypedArgument& typed) {
+    const std::string_view word = tokens_.bare_word_ahead();
+    const bool is_value =
+        tokens_.text_ahead().starts_with('"') || text::lower(word) == "sprintf" || is_known_name(word);
+    if (is_value) {
+      typed.expressions.push_back(expressions().expression());
+      typed.place = typed.expressions.front()->place;
+      return;
+    }
+    const Token path = tokens_.take_bare_word();
+    typed.word = path.content;
+    typed.place = path.place;
+  }
+
+  void numbers(TypedArgument& typed) {
+    const bool bracketed = tokens_.peek().is_symbol("(");
+    std::optional<language::Brackets> brackets;
+    if (bracketed) {
+      tokens_.take();
+      brackets.emplace(tokens_);
+    }
+    for (std::size_t i = 0; i < typed.argument->how_many; ++i) {
+      if (i > 0 && !tokens_.peek().is_symbol(",")) {
+        throw text::Error(tokens_.peek().place,
+                          fmt::format("{} takes {} numbers, found {} after {}", typed.argument->name,
+                                      typed.argument->how_many, describe(tokens_.peek()), i),
+                          "separate them by commas, as in (1, 0, 0)");
+      }
+      if (i > 0) tokens_.take();
+      typed.expressions.push_back(expressions().expression());
+    }
+    if (bracketed && !tokens_.peek().is_symbol(")")) {
+      throw text::Error(tokens_.peek().place,
+                        fmt::format("expected \")\", found {}", describe(tokens_.peek())));
+    }
+    if (bracketed) tokens_.take();
+  }
+
+  // The name of the element in turn holds in the arguments that follow, too.
+  void generator(TypedArgument& typed) {
+    typed.generator = expressions().generator();
+    typed.place = typed.generator->place;
+  }
+
+  void list(TypedArgument& typed) {
+    do {
+      if (!typed.expressions.empty()) tokens_.take();
+      typed.expressions.push_back(expressions().expression());
+    } while (tokens_.peek().is_symbol(","));
+  }
+
+  // elements attribute [value] [where condition]
+  void setting(TypedArgument& typed) {
+    ExpressionParser parser = expressions();
+    typed.generator = parser.generator(true);
+    if (tokens_.peek().is_symbol(".")) tokens_.take();
+    language::ElementPath in_turn;
+    in_turn.local = typed.generator->slot;
+    in_turn.root_kind = typed.generator->kind;
+    in_turn.place = tokens_.peek().place;
+    typed.place = tokens_.peek().place;
+    typed.attribute = parser.attribute(std::move(in_turn));
+    if (tokens_.peek().is_symbol("=") || tokens_.peek().is_symbol(":=")) tokens_.take();
+    if (!language::at_command_end(tokens_) && !tokens_.peek().is_word("where"))
+      typed.expressions.push_back(parser.expression());
+    parser.where_clause(*typed.generator);
+  }
+
+  // NAME TYPE or ELEMENT attribute NAME TYPE, with sizes in brackets
+  void definition(TypedArgument& typed) {
+    if (const auto kind = language::element_kind(tokens_.peek().text);
+        kind && tokens_.peek(1).is_word("attribute")) {
+      typed.attribute_of = kind;
+      tokens_.take();
+      tokens_.take();
+    }
+    const Token name = expect_word("the new name");
+    typed.word = std::string(name.text);
+    typed.place = name.place;
+    const Token type = expect_word("a type: real, integer or string");
+    typed.type = text::lower(type.text);
+    if (typed.type != "real" && typed.type != "integer" && typed.type != "string") {
+      throw text::Error(type.place, fmt::format("{} is no type", describe(type)),
+                        "types are real, integer and string");
+    }
+    std::vector<int> shape;
+    while (tokens_.peek().is_symbol("[")) {
+      const Token opener = tokens_.take();
+      const language::Brackets brackets(tokens_);
+      typed.expressions.push_back(expressions().expression());
+      const auto* const number = std::get_if<language::Number>(&typed.expressions.back()->node);
+      shape.push_back(number != nullptr ? static_cast<int>(number->value) : 1);
+      if (!tokens_.peek().is_symbol("]")) {
+        throw text::Error(opener.place, "this \"[\" is never closed: missing \"]\"");
+      }
+      tokens_.take();
+    }
+    if (typed.attribute_of) {
+      names_.promise_attribute(*typed.attribute_of, name.text, std::move(shape));
+    } else {
+      names_.promise_variable(name.text);
+    }
+  }
+
+  Token expect_word(std::string_view what) {
+    if (!tokens_.peek().is(TokenKind::word)) {
+      throw text::Error(tokens_.peek().place,
+                        fmt::format("expected {}, found {}", what, describe(tokens_.peek())),
+                        "usage: " + usage(command_));
+    }
+    return tokens_.take();
+  }
+
+  // A procedure's name alone, or a value.
+  void printable(TypedArgument& typed) {
+    const Token& token = tokens_.peek();
+    const bool value = is_known_value(token);
+    if (token.is(TokenKind::word) && !value && names_.procedure(token.text) &&
+        !tokens_.peek(1).is_symbol("(")) {
+      typed.word = text::lower(tokens_.take().text);
+      return;
+    }
+    typed.expressions.push_back(expressions().expression());
+  }
+
+  const Command& command_;
+  LexerStream& tokens_;
+  Names& names_;
+  Token word_;
+  Invocation* result_ = nullptr;
+};
+
+double checked(const Argument& argument, double value, const text::Place& place) {
+  const bool low =
+      argument.least && (value < *argument.least || (argument.least_excluded && value == *argument.least));
+  if (low || !(value == value)) {
+    const std::string bound = argument.least_excluded
+                                  ? fmt::format("greater than {:g}", *argument.least)
+                                  : fmt::format("at least {:g}", argument.least.value_or(0));
+    throw text::Error(place, fmt::format("{} must be {}, not {:.15g}", argument.name, bound, value));
+  }
+  if (argument.most && value > *argument.most) {
+    throw text::Error(
+        place, fmt::format("{} must be at most {:g}, not {:.15g}", argument.name, *argument.most, value));
+  }
+  return value;
+}
+
+std::optional<GivenValue> value_of(const TypedArgument& typed, language::Evaluation& evaluation) {
+  const Argument& argument = *typed.argument;
+  const auto first = [&]() -> const language::Expression& { return *typed.expressions.front(); };
+  const bool none = !argument.word_for_none.empty() && typed.word == argument.word_for_none;
+  if (none && argument.kind != ArgumentKind::word) return std::nullopt;
+  switch (argument.kind) {
+    case ArgumentKind::flag:
+      return true;
+    case ArgumentKind::number:
+      return checked(argument, evaluate_number(first(), evaluation), typed.place);
+    case ArgumentKind::count: {
+      const long count = evaluate_count(first(), evaluation, argument.name);
+      checked(argument, static_cast<double>(count), typed.place);
+      return count;
+    }
+    case ArgumentKind::text:
+      if (!argument.choices.empty()) return typed.word;
+      return evaluate_text(first(), evaluation);
+    case ArgumentKind::file:
+      if (typed.expressions.empty()) return File{typed.word, typed.place};
+      return File{evaluate_text(first(), evaluation), typed.place};
+    case ArgumentKind::word:
+      return Word{typed.word, typed.place};
+    case ArgumentKind::numbers: {
+      std::vector<double> numbers;
+      for (const auto& expression : typed.expressions)
+        numbers.push_back(evaluate_number(*expression, evaluation));
+      return numbers;
+    }
+    case ArgumentKind::elements:
+      return Elements{typed.generator->kind, evaluate_elements(*typed.generator, evaluation)};
+    case ArgumentKind::selection:
+      return Selection{&*typed.generator};
+    case ArgumentKind::expressions: {
+      Expressions result;
+      for (const auto& expression : typed.expressions) result.list.push_back(expression.get());
+      return result;
+    }
+    case ArgumentKind::setting:
+      return Setting{&*typed.generator, &*typed.attribute,
+                     typed.expressions.empty() ? nullptr : typed.expressions.front().get(), typed.place};
+    case ArgumentKind::definition: {
+      Definition result{typed.word, typed.type, typed.attribute_of, {}, typed.place};
+      for (const auto& expression : typed.expressions) result.sizes.push_back(expression.get());
+      return result;
+    }
+    case ArgumentKind::printable:
+      if (typed.expressions.empty()) return Printable(ProcedureName{typed.word});
+      return Printable(typed.expressions.front().get());
+  }
+  return std::nullopt;
+}
+
+std::string placeholder(const Argument& argument) {
+  if (!argument.choices.empty()) return fmt::format("{}", fmt::join(argument.choices, "|"));
+  std::string value;
+  switch (argument.kind) {
+    case ArgumentKind::number:
+      value = "number";
+      break;
+    case ArgumentKind::count:
+      value = "count";
+      break;
+    case ArgumentKind::text:
+      value = "\"text\"";
+      break;
+    case ArgumentKind::file:
+      value = "file";
+      break;
+    case ArgumentKind::numbers:
+      value = "(numbers)";
+      break;
+    case ArgumentKind::elements:
+    case ArgumentKind::selection:
+      value = "elements";
+      break;
+    default:
+      value = "value";
+      break;
+  }
+  return argument.word_for_none.empty() ? value : value + "|" + argument.word_for_none;
+}
+
+std::string upper(std::string text) {
+  for (char& c : text) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return text;
+}
+
+std::string shown(const Argument& argument) {
+  if (argument.kind == ArgumentKind::flag) return argument.name;
+  if (argument.named) return fmt::format("{} {}", argument.name, placeholder(argument));
+  return argument.choices.empty() ? upper(argument.name) : placeholder(argument);
+}
+
+}  // namespace
+
+std::vector<Given> Invocation::evaluate(language::Evaluation& evaluation) const {
+  std::vector<Given> result;
+  for (const TypedArgument& typed : arguments) {
+    if (std::optional<GivenValue> value = value_of(typed, evaluation))
+      result.push_back({typed.argument, std::move(*value)});
+  }
+  return result;
+}
+
+std::unique_ptr<const Invocation> parse_command_call(const Command& command, LexerStream& tokens,
+                                                     Names& names) {
+  const language::LocalNames local(names);
+  return ArgumentParser(command, tokens, names).run();
+}
+
+std::string usage(const Command& command) {
+  std::string result = command.name;
+  for (const Argument& argument : command.arguments) {
+    result += argument.needed ? fmt::format(" {}", shown(argument)) : fmt::format(" [{}]", shown(argument));
+  }
+  return result;
+}
+
+std::string argument_help(const Command& command) {
+  std::string result;
+  for (const Argument& argument : command.arguments)
+    result += fmt::format("  {:<24} {}\n", shown(argument), argument.help);
+  return result;
+}
+
+}  // namespace lamella::session

@@ -1,0 +1,124 @@
+#include "session/internal_variables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "energy/plateau.h"
+#include "session/session.h"
+#include "text/error.h"
+#include "text/suggest.h"
+
+namespace lamella::session {
+
+using language::Value;
+
+namespace {
+
+Value count(std::uint32_t number) {
+  return static_cast<double>(number);
+}
+
+double positive(double value, std::string_view name) {
+  if (!(value > 0) || !std::isfinite(value))
+    throw text::Error(fmt::format("{} must be positive, not {:.15g}", name, value));
+  return value;
+}
+
+double finite(double value, std::string_view name) {
+  if (!std::isfinite(value)) throw text::Error(fmt::format("{} cannot be {}", name, value));
+  return value;
+}
+
+std::string date_and_time() {
+  std::time_t now = std::time(nullptr);
+  std::tm local = {};
+  ::localtime_r(&now, &local);
+  return fmt::format("{:%a %b %e %H:%M:%S %Y}", local);
+}
+
+// A counter that commands leave behind.
+template <std::size_t n>
+struct Literal {
+  // NOLINTNEXTLINE(google-explicit-constructor): a template argument
+  constexpr Literal(const char (&text)[n]) { std::copy_n(text, n, content); }
+  char content[n];
+};
+template <Literal name>
+Value counter(Session& session) {
+  return session.counter(name.content);
+}
+
+constexpr InternalVariable table[] = {
+    {"total_area", "area of all facets", [](Session& s) -> Value { return s.measures().area; }, nullptr},
+    {"total_energy", "energy of the scene", [](Session& s) -> Value { return s.measures().energy; }, nullptr},
+    {"total_length", "length of all edges", [](Session& s) -> Value { return s.measures().length; }, nullptr},
+    {"total_time", "time that evolution has passed, in s", [](Session& s) -> Value { return s.scene().time; },
+     [](Session& s, double value) { s.scene().time = finite(value, "total_time"); }},
+    {"vertex_count", "number of vertices", [](Session& s) { return count(s.scene().film.vertex_count()); },
+     nullptr},
+    {"edge_count", "number of edges", [](Session& s) { return count(s.scene().film.edge_count()); }, nullptr},
+    {"facet_count", "number of facets", [](Session& s) { return count(s.scene().film.triangle_count()); },
+     nullptr},
+    {"facetedge_count", "number of sides of facets",
+     [](Session& s) { return count(3 * s.scene().film.triangle_count()); }, nullptr},
+    {"body_count", "number of bodies", [](Session& s) { return count(scene::body_count(s.scene())); },
+     nullptr},
+    {"gravity_constant", "strength of gravity, along -z",
+     [](Session& s) -> Value { return s.scene().gravity.constant; },
+     [](Session& s, double value) { s.scene().gravity.constant = finite(value, "gravity_constant"); }},
+    {"gravity", "whether gravity acts", [](Session& s) -> Value { return s.scene().gravity.on ? 1.0 : 0.0; },
+     [](Session& s, double value) { s.scene().gravity.on = value != 0; }},
+    {"scale", "step of g: the last, or the one fixed by m",
+     [](Session& s) -> Value { return s.scene().scale.value; },
+     [](Session& s, double value) { s.scene().scale.value = positive(value, "scale"); }},
+    {"damping", "damping of hyperbolic flow, in 1/s", [](Session& s) -> Value { return s.scene().damping; },
+     [](Session& s, double value) {
+       if (!(value >= 0) || !std::isfinite(value))
+         throw text::Error(fmt::format("damping cannot be {:.15g}", value));
+       s.scene().damping = value;
+     }},
+    {"triple_angle_rms", "root mean square deviation from 120 degrees along triple lines, in degrees",
+     [](Session& s) -> Value { return energy::plateau_angles(s.scene().film).triple.rms; }, nullptr},
+    {"quad_angle_rms", "root mean square deviation from 109.47 degrees at quad points, in degrees",
+     [](Session& s) -> Value { return energy::plateau_angles(s.scene().film).quad.rms; }, nullptr},
+    {"space_dimension", "3", [](Session&) -> Value { return 3.0; }, nullptr},
+    {"surface_dimension", "2", [](Session&) -> Value { return 2.0; }, nullptr},
+    {"datafilename", "path of the datafile", [](Session& s) -> Value { return s.scene().name; }, nullptr},
+    {"date_and_time", "the present date and time", [](Session&) -> Value { return date_and_time(); },
+     nullptr},
+    {"clock", "processor time used so far, in s",
+     [](Session&) -> Value { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }, nullptr},
+    {"random", "a random number between 0 and 1",
+     [](Session& s) -> Value { return std::uniform_real_distribution<double>()(s.random()); }, nullptr},
+    {"random_seed", "seed of the random numbers", [](Session& s) -> Value { return s.random_seed(); },
+     [](Session& s, double value) { s.seed_random(finite(value, "random_seed")); }},
+    {"refine_count", "edges split by the last refine", counter<"refine_count">, nullptr},
+    {"equi_count", "edges switched by the last equiangulation", counter<"equi_count">, nullptr},
+    {"fix_count", "elements fixed by the last fix", counter<"fix_count">, nullptr},
+    {"unfix_count", "elements freed by the last unfix", counter<"unfix_count">, nullptr},
+    {"check_count", "faults found by the last check", counter<"check_count">, nullptr},
+};
+
+}  // namespace
+
+std::span<const InternalVariable> internal_variables() {
+  return table;
+}
+
+std::optional<language::InternalId> find_internal_variable(std::string_view name) {
+  const std::string key = text::lower(name);
+  for (std::uint32_t i = 0; i < std::size(table); ++i) {
+    if (table[i].name == key) return language::InternalId{i};
+  }
+  return std::nullopt;
+}
+
+const InternalVariable& internal_variable(language::InternalId id) {
+  return table[id.row];
+}
+
+}  // namespace lamella::session

@@ -1,0 +1,130 @@
+#include "session/machine.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "session/argument_parser.h"
+#include "session/internal_variables.h"
+#include "session/interrupt.h"
+#include "session/session.h"
+#include "text/suggest.h"
+
+namespace lamella::session {
+
+using language::Element;
+using language::ElementKind;
+using language::Value;
+
+const Value& Machine::variable(language::VariableId id) {
+  const language::Variables& variables = session_.scene().variables;
+  const language::Variable* const variable = variables.get(id);
+  if (variable == nullptr) throw text::Error(fmt::format("\"{}\" has no value", variables.name(id)));
+  return variable->value;
+}
+
+Value Machine::internal(language::InternalId id) {
+  return internal_variable(id).get(session_);
+}
+
+double Machine::attribute(language::AttributeId id, const Element& element, int component) {
+  return session_.attributes().get(session_.attribute_source(), id, element, component);
+}
+
+bool Machine::is_defined(std::string_view name) {
+  const Names& names = session_.names();
+  return names.variable(name) || names.internal(name) || names.procedure(name) || names.is_command(name) ||
+         language::element_kind(name);
+}
+
+std::shared_ptr<const std::vector<Element>> Machine::elements(ElementKind kind) {
+  return index_.all(session_.scene(), kind);
+}
+
+std::optional<Element> Machine::numbered(ElementKind kind, double number) {
+  constexpr double most = 4e9;
+  const double whole = std::trunc(number);
+  if (!(std::abs(whole) >= 1 && std::abs(whole) < most)) return std::nullopt;
+  const auto row = index_.row(session_.scene(), kind, static_cast<std::uint32_t>(std::abs(whole)));
+  if (!row) return std::nullopt;
+  return Element{kind, *row, whole < 0};
+}
+
+std::vector<Element> Machine::parts(const Element& element, ElementKind kind) {
+  return parts_of(session_.scene(), index_, element, kind);
+}
+
+Value Machine::call(const std::string& function, std::span<const Value> arguments) {
+  const language::Procedure* const found = procedure(function);
+  if (found == nullptr || !found->returns_value)
+    throw text::Error(fmt::format("there is no function \"{}\"", function));
+  // The procedure may be redefined while it runs.
+  const language::Procedure called = *found;
+  return call_procedure(called, arguments, *this, evaluation_);
+}
+
+void Machine::assign(language::VariableId id, Value value) {
+  session_.scene().variables.set(id, std::move(value));
+}
+
+void Machine::assign(language::InternalId id, const Value& value) {
+  const InternalVariable& variable = internal_variable(id);
+  if (variable.set == nullptr)
+    throw text::Error(fmt::format("\"{}\" cannot be set: it is {}", variable.name, variable.summary));
+  const double* const number = std::get_if<double>(&value);
+  if (number == nullptr) throw text::Error(fmt::format("\"{}\" is a number, not a string", variable.name));
+  variable.set(session_, *number);
+}
+
+void Machine::assign(language::AttributeId id, const Element& element, int component, double value) {
+  session_.attributes().set(session_.attribute_source(), id, element, component, value);
+}
+
+const language::Procedure* Machine::procedure(const std::string& name) {
+  const language::Procedures& procedures = session_.scene().procedures;
+  const auto at = procedures.find(name);
+  return at == procedures.end() ? nullptr : &at->second;
+}
+
+void Machine::define(const language::Procedure& procedure) {
+  const std::string key = text::lower(procedure.name);
+  language::Procedures& procedures = session_.scene().procedures;
+  const auto at = procedures.find(key);
+  // A declaration does not take away what is defined.
+  if (!procedure.body && at != procedures.end() && at->second.body) return;
+  procedures[key] = procedure;
+}
+
+void Machine::run_command(const language::CommandCall& call, language::Evaluation& evaluation) {
+  const auto& invocation = static_cast<const Invocation&>(call);
+  const std::vector<Given> given = invocation.evaluate(evaluation);
+  session_.begin_command();
+  invocation.command->run(session_, given);
+}
+
+void Machine::begin_redirection(language::Redirection kind, const std::string& target) {
+  session_.output().begin(kind, target);
+}
+
+void Machine::end_redirection() {
+  session_.output().end();
+}
+
+void Machine::cancel_redirection() {
+  session_.output().cancel();
+}
+
+void Machine::between_statements() {
+  if (interrupt::requested()) throw Interrupted{};
+}
+
+std::uint64_t Machine::structure() {
+  return session_.scene().film.connectivity_revision();
+}
+
+double Machine::number(const Element& element) {
+  return number_of(session_.scene(), element.kind, element.row);
+}
+
+}  // namespace lamella::session

@@ -1,0 +1,324 @@
+#include "session/session.h"
+
+#include <cmath>
+#include <map>
+#include <new>
+
+#include "datafile/read.h"
+#include "session/history.h"
+#include "session/interrupt.h"
+#include "session/machine.h"
+#include "session/progress.h"
+#include "session/terminal.h"
+#include "text/whole_file.h"
+
+namespace lamella::session {
+
+using language::Lexer;
+using language::LexerMode;
+using language::LexerStream;
+using language::StatementParser;
+
+namespace {
+
+constexpr int deepest_reads = 50;
+constexpr double first_seed = 1;
+
+text::Place whole(const text::SourcePointer& source) {
+  return {source, 0, static_cast<std::uint32_t>(source->content.size())};
+}
+
+}  // namespace
+
+struct Session::State {
+  State(Session& session, std::span<const Command* const> commands)
+      : names(scene, attributes, commands),
+        machine(session),
+        progress([&session](std::string_view line) { session.tell("{}\n", line); }) {}
+
+  scene::Scene scene;
+  energy::MeasureCache measures;
+  Attributes attributes;
+  Names names;
+  Machine machine;
+  Output output;
+  Progress progress;
+  History history;
+  std::map<std::string, double, std::less<>> counters;
+  std::mt19937_64 random{static_cast<std::uint64_t>(first_seed)};
+  double seed = first_seed;
+  std::string last_error;
+  bool quiet = false;
+  bool quit = false;
+  long undo_request = 0;
+  int reads = 0;
+};
+
+Session::Session(std::span<const Command* const> commands)
+    : state_(std::make_unique<State>(*this, commands)) {}
+Session::~Session() = default;
+
+// --- what commands see
+
+scene::Scene& Session::scene() {
+  return state_->scene;
+}
+const scene::Scene& Session::scene() const {
+  return state_->scene;
+}
+const energy::Measures& Session::measures() {
+  return state_->measures.of(state_->scene);
+}
+void Session::write(std::string_view text) {
+  state_->output.write(text);
+}
+bool Session::quiet() const {
+  return state_->quiet;
+}
+void Session::set_quiet(bool quiet) {
+  state_->quiet = quiet;
+}
+Output& Session::output() {
+  return state_->output;
+}
+scene::Monitor& Session::monitor() {
+  return state_->progress;
+}
+std::mt19937_64& Session::random() {
+  return state_->random;
+}
+double Session::random_seed() const {
+  return state_->seed;
+}
+void Session::seed_random(double seed) {
+  state_->seed = seed;
+  state_->random.seed(static_cast<std::uint64_t>(std::llround(seed)));
+}
+language::Evaluation& Session::evaluation() {
+  return state_->machine.evaluation();
+}
+Names& Session::names() {
+  return state_->names;
+}
+Attributes& Session::attributes() {
+  return state_->attributes;
+}
+AttributeSource Session::attribute_source() {
+  return {state_->scene, state_->measures};
+}
+
+double& Session::counter(std::string_view name) {
+  const auto at = state_->counters.find(name);
+  return at != state_->counters.end() ? at->second : state_->counters[std::string(name)];
+}
+
+void Session::begin_command() {
+  state_->progress.restart();
+}
+
+void Session::warn(const text::Diagnostic& warning) {
+  state_->output.flush();
+  write_error(text::render(warning));
+}
+
+void Session::warn(std::string message) {
+  warn(text::Diagnostic{text::Severity::warning, {}, std::move(message), {}, {}});
+}
+
+void Session::report(const text::Error& error) {
+  state_->progress.restart();
+  state_->output.flush();
+  state_->last_error = error.what();
+  write_error(state_->last_error);
+}
+
+const std::string& Session::last_error() const {
+  return state_->last_error;
+}
+
+void Session::request_undo(long steps) {
+  const long wanted = state_->undo_request + steps;
+  const auto past = static_cast<long>(state_->history.undo_steps());
+  const auto future = static_cast<long>(state_->history.redo_steps());
+  if (wanted > past)
+    throw text::Error(past == 0 ? "there is nothing to undo"
+                                : fmt::format("there are only {} steps to undo", past));
+  if (-wanted > future)
+    throw text::Error(future == 0 ? "there is nothing to redo"
+                                  : fmt::format("there are only {} steps to redo", future));
+  state_->undo_request = wanted;
+}
+
+void Session::request_quit() {
+  state_->quit = true;
+  throw Interrupted{};
+}
+
+// --- running text
+
+namespace {
+
+// The statements of one line. What cannot be parsed is thrown unless statements before it may bring the names
+// it lacks; then those come first, and the rest is parsed again when they have run.
+struct Line {
+  struct Statement {
+    std::shared_ptr<const language::Block> block;
+    std::string text;
+  };
+  std::vector<Statement> statements;
+  bool at_end = false;
+};
+
+Line parse_line(LexerStream& tokens, StatementParser& parser, Names& names) {
+  Line line;
+  bool brings_names = false;
+  while (true) {
+    const std::uint32_t begin = tokens.previous_end();
+    try {
+      auto [block, text] = parser.next_with_text();
+      line.at_end = block == nullptr;
+      if (!line.at_end) line.statements.push_back({std::move(block), std::move(text)});
+      brings_names = names.take_brings_names() || brings_names;
+      if (line.at_end || parser.at_line_end()) return line;
+    } catch (const text::Error&) {
+      if (!brings_names) throw;
+      tokens.rewind(begin);
+      return line;
+    }
+  }
+}
+
+}  // namespace
+
+Outcome Session::run(const text::SourcePointer& source, bool keep_going) {
+  return run(whole(source), keep_going);
+}
+
+Outcome Session::run(const text::Place& part, bool keep_going) {
+  Outcome outcome = Outcome::done;
+  std::optional<LexerStream> tokens;
+  try {
+    tokens.emplace(Lexer(part, LexerMode::command));
+  } catch (const text::Error& error) {
+    report(error);
+    return Outcome::failed;
+  }
+  StatementParser parser(*tokens, state_->names);
+  while (true) {
+    const std::uint32_t begin = tokens->previous_end();
+    Line line;
+    try {
+      line = parse_line(*tokens, parser, state_->names);
+    } catch (const text::Error& error) {
+      report(error);
+      outcome = Outcome::failed;
+      if (!keep_going) break;
+      tokens->rewind(begin);
+      parser.skip_statement_line();
+      continue;
+    }
+    for (const auto& [block, text] : line.statements) {
+      const Outcome ended = run_statement(*block, text);
+      if (ended == Outcome::done) continue;
+      outcome = ended;
+      if (ended != Outcome::failed || !keep_going) break;
+    }
+    const bool ends = outcome == Outcome::quit || outcome == Outcome::interrupted ||
+                      (outcome == Outcome::failed && !keep_going);
+    if (line.at_end || ends) break;
+  }
+  state_->names.forget_promises();
+  return outcome;
+}
+
+Outcome Session::run_statement(const language::Block& statement, const std::string& text) {
+  scene::Scene before = state_->scene;
+  state_->undo_request = 0;
+  const auto fail = [&](const text::Error& error) {
+    state_->scene = std::move(before);
+    report(error);
+    return Outcome::failed;
+  };
+  try {
+    language::execute(statement, state_->machine, state_->machine.evaluation());
+  } catch (const Interrupted&) {
+  } catch (const text::Error& error) {
+    return fail(error);
+  } catch (const std::bad_alloc&) {
+    return fail(text::Error("out of memory"));
+  } catch (const std::exception& error) {
+    return fail(text::Error(fmt::format("internal fault: {}", error.what())));
+  }
+  state_->progress.restart();
+  if (differs(before, state_->scene)) state_->history.push(std::move(before), text);
+  apply_requested_undo();
+  if (state_->quit) return Outcome::quit;
+  if (!interrupt::requested()) return Outcome::done;
+  state_->output.flush();
+  write_error("stopped by Ctrl-C; the scene is kept as it is now\n");
+  return Outcome::interrupted;
+}
+
+void Session::apply_requested_undo() {
+  const long steps = std::exchange(state_->undo_request, 0);
+  for (long i = 0; i < steps; ++i) {
+    if (const auto undone = state_->history.undo(state_->scene)) tell("undo: {}\n", *undone);
+  }
+  for (long i = 0; i > steps; --i) {
+    if (const auto redone = state_->history.redo(state_->scene)) tell("redo: {}\n", *redone);
+  }
+}
+
+void Session::run_within(const text::Place& part) {
+  if (state_->reads >= deepest_reads) {
+    throw text::Error(fmt::format("more than {} files read one another", deepest_reads),
+                      "a file that reads itself never ends");
+  }
+  ++state_->reads;
+  LexerStream tokens(Lexer(part, LexerMode::command));
+  StatementParser parser(tokens, state_->names);
+  try {
+    for (bool more = true; more;) {
+      const Line line = parse_line(tokens, parser, state_->names);
+      for (const auto& [block, text] : line.statements)
+        language::execute(*block, state_->machine, state_->machine.evaluation());
+      more = !line.at_end;
+    }
+  } catch (...) {
+    --state_->reads;
+    throw;
+  }
+  --state_->reads;
+}
+
+void Session::read(const std::string& path) {
+  const text::SourcePointer source = text::make_source(path, text::read_whole_file(path));
+  run_within(whole(source));
+}
+
+void Session::load(const std::string& path) {
+  datafile::ReadResult result = datafile::read_datafile(path, &state_->scene.variables);
+  for (const text::Diagnostic& warning : result.warnings) warn(warning);
+  state_->scene = std::move(result.scene);
+  state_->counters.clear();
+  seed_random(first_seed);
+  for (const text::Place& commands : result.read_section) run_within(commands);
+}
+
+bool Session::is_complete(const text::Place& part) {
+  bool complete = true;
+  try {
+    LexerStream tokens(Lexer(part, LexerMode::command));
+    StatementParser parser(tokens, state_->names);
+    while (parser.next() != nullptr) {
+    }
+  } catch (const language::Incomplete&) {
+    complete = false;
+  } catch (const text::Error&) {
+    // Wrong, but nothing that more text would mend.
+  }
+  state_->names.forget_promises();
+  return complete;
+}
+
+}  // namespace lamella::session
