@@ -44,19 +44,19 @@ void measure(Drawing& drawing, const Film& film) {
   if (radius > 0) drawing.radius = radius;
 }
 
-// What the columns say of a facet's colours.
+// What the columns say of a facet's colours. Without a column for the back it looks like the front.
 class FacetColours {
  public:
   explicit FacetColours(const Film& film)
-      : front_(film.columns(ElementKind::facet).find("frontcolor")),
+      : front_(film.columns(ElementKind::facet).find("color")),
         behind_(film.columns(ElementKind::facet).find("backcolor")) {
-    const film::Column* both = film.columns(ElementKind::facet).find("color");
-    if (front_ == nullptr) front_ = both;
-    if (behind_ == nullptr) behind_ = both;
+    if (behind_ == nullptr) behind_ = front_;
   }
 
   bool any() const { return front_ != nullptr || behind_ != nullptr; }
-  bool hidden(Triangle t) const { return number(front_, t) == evolver_clear; }
+  bool hidden(Triangle t) const {
+    return number(front_, t) == evolver_clear && number(behind_, t) == evolver_clear;
+  }
 
   Tint tint(Triangle t) const {
     Tint tint;
@@ -100,6 +100,45 @@ void add_film(Drawing& drawing, const Film& film, const Sheets& sheets) {
   }
 }
 
+// Means over the edges at each vertex of a quantity of an edge's two ends.
+template <class Quantity>
+std::vector<float> mean_over_edges(const Drawing& drawing, Quantity&& quantity) {
+  std::vector<float> sums(drawing.positions.size(), 0);
+  std::vector<float> counts(drawing.positions.size(), 0);
+  for (const auto& t : drawing.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k];
+      const std::uint32_t b = t[(k + 1) % 3];
+      const float value = quantity(a, b);
+      sums[a] += value;
+      sums[b] += value;
+      counts[a] += 1;
+      counts[b] += 1;
+    }
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) sums[v] /= std::max(counts[v], 1.0F);
+  return sums;
+}
+
+float distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// The turn of the normal along an edge over its length, smoothed a little: normals of a coarse mesh are
+// uneven.
+void measure_bends(Drawing& drawing) {
+  drawing.bends = mean_over_edges(drawing, [&](std::uint32_t a, std::uint32_t b) {
+    const float edge = distance(drawing.positions[a], drawing.positions[b]);
+    return edge > 0 ? std::min(distance(drawing.normals[a], drawing.normals[b]) / edge, 4.0F) : 0.0F;
+  });
+  constexpr int rounds = 2;
+  for (int i = 0; i < rounds; ++i) {
+    const std::vector<float> before = std::move(drawing.bends);
+    drawing.bends = mean_over_edges(
+        drawing, [&](std::uint32_t a, std::uint32_t b) { return (before[a] + before[b]) / 2; });
+  }
+}
+
 }  // namespace
 
 double Drawing::largest_tube() const {
@@ -113,11 +152,22 @@ Point Drawing::place(const Vec3& p) const {
   return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
 }
 
+std::vector<Point> Drawing::outline() const {
+  std::vector<Point> points = positions;
+  points.reserve(positions.size() + 2 * tubes.size());
+  for (const Tube& tube : tubes) {
+    points.push_back(tube.from);
+    points.push_back(tube.to);
+  }
+  return points;
+}
+
 Drawing draw(const scene::Scene& scene, const Style& style) {
   Drawing drawing;
   measure(drawing, scene.film);
   const Sheets sheets = find_sheets(scene.film, style.crease_angle);
   add_film(drawing, scene.film, sheets);
+  measure_bends(drawing);
   add_lines(drawing, scene.film, sheets.creases, style);
   return drawing;
 }

@@ -34,6 +34,8 @@ struct Tint {
 struct Drawing {
   std::vector<Point> positions;
   std::vector<Point> normals;
+  std::vector<float>
+      bends;  // how strongly the film is curved at a vertex: 1 where it is a sphere of the scene's radius
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Tint> tints;  // one a triangle, or none where no facet is coloured
   std::vector<Tube> tubes;
@@ -43,6 +45,7 @@ struct Drawing {
   bool empty() const { return triangles.empty() && tubes.empty(); }
   double largest_tube() const;
   Point place(const film::Vec3& p) const;  // of a point of the scene
+  std::vector<Point> outline() const;  // all points that a picture must contain, but for the radii of tubes
 };
 
 // Throws text::Error where a coordinate is not finite.

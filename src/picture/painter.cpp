@@ -18,6 +18,9 @@ constexpr GLuint counter_binding = 1;
 constexpr GLuint fragments_binding = 2;
 constexpr GLuint tints_binding = 3;
 
+// For one tile: 128 MB, of which only what is used is ever touched.
+constexpr std::size_t most_fragments = std::size_t{1} << 23;
+
 // Triangles that are drawn or left out together, with the part of the picture that they cover.
 struct Chunk {
   static constexpr std::size_t size = 2048;
@@ -35,10 +38,10 @@ struct Window {
   double top;
 
   explicit Window(const Tile& t)
-      : left(2.0 * t.x / t.picture_width - 1),
-        right(2.0 * (t.x + t.width) / t.picture_width - 1),
-        bottom(1 - 2.0 * (t.y + t.height) / t.picture_height),
-        top(1 - 2.0 * t.y / t.picture_height) {}
+      : left(2 * (t.x + t.right) / t.picture_width - 1),
+        right(2 * (t.x + t.width + t.right) / t.picture_width - 1),
+        bottom(1 - 2 * (t.y + t.height + t.down) / t.picture_height),
+        top(1 - 2 * (t.y + t.down) / t.picture_height) {}
 
   bool meets(const Chunk& c) const {
     return c.left < right && c.right > left && c.bottom < top && c.top > bottom;
@@ -90,6 +93,7 @@ struct Painter::State {
   GlObject tube_array = make_vertex_array(gl);
   GlObject positions = make_buffer(gl);
   GlObject normals = make_buffer(gl);
+  GlObject bends = make_buffer(gl);
   GlObject indices = make_buffer(gl);
   GlObject tubes = make_buffer(gl);
   GlObject tints = make_buffer(gl);
@@ -100,7 +104,6 @@ struct Painter::State {
   GlObject depth = make_texture(gl, GL_DEPTH_COMPONENT32F, largest_tile, largest_tile);
   GlObject framebuffer = make_framebuffer(gl);
   std::size_t capacity = 0;
-  std::size_t largest_capacity = 0;
   Camera camera;
   std::vector<Chunk> chunks;
   std::vector<float> opaque;
@@ -129,6 +132,9 @@ struct Painter::State {
     fill(gl, normals, GL_ARRAY_BUFFER, std::span<const Point>(drawing.normals));
     gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Point), nullptr);
     gl.EnableVertexAttribArray(1);
+    fill(gl, bends, GL_ARRAY_BUFFER, std::span<const float>(drawing.bends));
+    gl.VertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
+    gl.EnableVertexAttribArray(2);
     fill(gl, indices, GL_ELEMENT_ARRAY_BUFFER,
          std::span<const std::array<std::uint32_t, 3>>(drawing.triangles));
     static_assert(sizeof(Tint) == 8 * sizeof(float));
@@ -168,8 +174,7 @@ struct Painter::State {
     };
     GLint largest = 0;
     gl.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-    largest_capacity = static_cast<std::size_t>(largest) / sizeof(Fragment);
-    capacity = std::min<std::size_t>(largest_capacity, std::size_t{1} << 21);
+    capacity = std::min(static_cast<std::size_t>(largest) / sizeof(Fragment), most_fragments);
     allocate(lists, std::size_t{largest_tile} * largest_tile * sizeof(std::uint32_t));
     allocate(counter, sizeof(std::uint32_t));
     allocate(fragments, capacity * sizeof(Fragment));
@@ -281,16 +286,6 @@ struct Painter::State {
       first = last + 1;
     }
   }
-
-  // Room for that many fragments; false if that is more than OpenGL grants.
-  bool grow(std::size_t count) {
-    if (count > largest_capacity) return false;
-    capacity = std::min(largest_capacity, count + count / 4);
-    gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, fragments.name());
-    gl.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(capacity * sizeof(Fragment)), nullptr,
-                  GL_DYNAMIC_READ);
-    return true;
-  }
 };
 
 Painter::Painter(const Drawing& drawing, const Style& style)
@@ -310,17 +305,14 @@ bool Painter::paint(const Tile& tile, PaintedTile& painted) {
   const Window window(tile);
   s.gl.Viewport(0, 0, tile.width, tile.height);
   s.draw_tubes(window);
-  std::size_t count = s.draw_films(window, tile.width);
-  while (count > s.capacity) {
-    if (!s.grow(count)) return false;
-    count = s.draw_films(window, tile.width);
-  }
+  const std::size_t count = s.draw_films(window, tile.width);
+  if (count > s.capacity) return false;
   const std::size_t samples = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
   s.opaque.resize(4 * samples);
   s.gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, s.opaque.data());
   s.mapped_lists = Mapped<std::uint32_t>(s.gl, s.lists, samples);
   s.mapped_fragments = Mapped<Fragment>(s.gl, s.fragments, count);
-  painted = {tile.width, s.mapped_lists.values(), s.mapped_fragments.values(), s.opaque};
+  painted = {s.mapped_lists.values(), s.mapped_fragments.values(), s.opaque};
   return true;
 }
 

@@ -11,8 +11,9 @@
 
 namespace lamella::picture {
 
-// A rectangle of samples in a picture of `picture_width` times `picture_height` samples; x and y of its upper
-// left sample, counted from the upper left of the picture.
+// A rectangle of a picture of `picture_width` times `picture_height` pixels; x and y of its upper left pixel,
+// counted from the upper left of the picture. One point of each pixel is looked at: its middle, moved by
+// right and down, in pixels.
 struct Tile {
   int picture_width = 0;
   int picture_height = 0;
@@ -20,14 +21,15 @@ struct Tile {
   int y = 0;
   int width = 0;
   int height = 0;
+  double right = 0;
+  double down = 0;
 };
 
 // What a tile shows. Rows run from the bottom to the top; the views are valid until the next tile is painted.
 struct PaintedTile {
-  int width = 0;
-  std::span<const std::uint32_t> first;  // one a sample: the first of its fragments, or Fragment::end_of_list
+  std::span<const std::uint32_t> first;  // one a pixel: the first of its fragments, or Fragment::end_of_list
   std::span<const Fragment> fragments;   // films, but for those hidden behind a tube
-  std::span<const float> opaque;         // four a sample: light of a tube and 1, or zeros
+  std::span<const float> opaque;         // four a pixel: light of a tube and 1, or zeros
 };
 
 class Painter {

@@ -34,20 +34,20 @@ uniform vec3 above;
 uniform vec3 level;
 uniform vec3 below;
 
-// A bright rectangle with soft edges in direction `at`, seen in direction r; half its width and height as tangents.
-float soft_box(vec3 r, vec3 at, vec2 size, float softness) {
-  vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), at));
-  vec3 up = cross(at, right);
-  float along = dot(r, at);
-  if (along <= 0.0) return 0.0;
-  vec2 place = abs(vec2(dot(r, right), dot(r, up)) / along);
-  vec2 inside = 1.0 - smoothstep(size - softness, size + softness, place);
-  return inside.x * inside.y;
-}
-
 const vec3 key_light = normalize(vec3(-0.55, 0.62, 0.56));
 const vec3 fill_light = normalize(vec3(0.85, 0.10, 0.52));
 const vec3 rear_light = normalize(vec3(0.42, 0.86, -0.26));
+
+// A bright rectangle with soft edges in direction `at`, seen in direction r: its half width and height, and how far
+// its edges fade, as tangents.
+float soft_box(vec3 r, vec3 at, vec2 size, float softness) {
+  vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), at));
+  vec3 up = cross(at, right);
+  vec2 place = abs(vec2(dot(r, right), dot(r, up)));
+  vec2 inside = clamp(((size + softness) * dot(r, at) - place) * (0.5 / softness), 0.0, 1.0);
+  inside *= inside * (3.0 - 2.0 * inside);
+  return inside.x * inside.y;
+}
 
 vec3 surroundings(vec3 r) {
   vec3 low = mix(below, level, smoothstep(-0.85, 0.15, r.y));
@@ -64,7 +64,9 @@ float lamps(vec3 r) {
 constexpr const char* film_vertex = R"glsl(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+layout(location = 2) in float bend;
 out vec3 place;
+out float curvature;
 out vec3 facing;
 out float height;
 
@@ -73,6 +75,7 @@ uniform vec2 heights;  // lowest, and one over the range
 void main() {
   place = seen_from_eye(position);
   facing = axes * normal;
+  curvature = bend;
   height = (position.z - heights.x) * heights.y;
   gl_Position = project(place);
 }
@@ -84,6 +87,7 @@ layout(early_fragment_tests) in;
 in vec3 place;
 in vec3 facing;
 in float height;
+in float curvature;
 
 struct Tint {
   vec4 front;   // colour, strength
@@ -126,18 +130,11 @@ vec3 interference(float nanometres, float cosine) {
   return 2.0 * s * s;
 }
 
-// A lamp in a flat film would whiten the whole of it; highlights belong to what is curved. The change of the normal
-// over the change of place, in radii of the scene: 1 for a sphere as large as the scene.
-float curvature(vec3 n) {
-  float across = length(dFdx(n)) / max(length(dFdx(place)), 1e-9);
-  float down = length(dFdy(n)) / max(length(dFdy(place)), 1e-9);
-  return max(across, down);
-}
-
 void main() {
   vec3 viewer = to_viewer(place);
   vec3 n = normalize(facing);
-  float shine = highlights * mix(0.15, 1.0, smoothstep(0.05, 0.5, curvature(n)));
+  // A lamp in a flat film would whiten the whole of it; highlights belong to what is curved.
+  float shine = highlights * mix(0.15, 1.0, smoothstep(0.05, 0.5, curvature));
   float cosine = dot(n, viewer);
   if (cosine < 0.0) n = -n;
   cosine = min(abs(cosine), 1.0);
@@ -146,16 +143,18 @@ void main() {
   float mirror = mix(opacity, grazing, pow(1.0 - cosine, falloff));
   vec3 hue = mix(vec3(1.0), interference(mix(thickness.x, thickness.y, height), cosine), iridescence);
   vec3 clear = vec3(1.0 - mirror);
-  vec3 glow = mirror * hue * surroundings(r) + shine * (0.22 + 0.6 * mirror) * mix(vec3(1.0), hue, 0.5) * lamps(r);
+  vec3 glow = mirror * hue * surroundings(r);
+  vec3 sparkle = shine * (0.22 + 0.6 * mirror) * mix(vec3(1.0), hue, 0.5) * lamps(r);
 
   if (tinted > 0.5) {
     Tint facet = tints[first_triangle + uint(gl_PrimitiveID)];
     vec4 tint = gl_FrontFacing ? facet.front : facet.behind;
     float cover = tint_opacity * tint.w;
     float lit = 0.62 + 0.38 * max(dot(n, key_light), 0.0);
-    glow = mix(glow, glow * mix(vec3(1.0), tint.rgb, 0.6), tint.w) + cover * lit * clear * tint.rgb;
+    glow = mix(glow, glow * tint.rgb, 0.6 * tint.w) + cover * lit * clear * tint.rgb;
     clear *= (1.0 - cover) * mix(vec3(1.0), tint.rgb, 0.5 * tint.w);
   }
+  glow += sparkle;
   float depth = -place.z;
   float far = haze * clamp((depth - depths.x) / (depths.y - depths.x), 0.0, 1.0);
   glow = mix(glow, background * (1.0 - clear), far);

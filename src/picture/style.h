@@ -27,7 +27,7 @@ struct FilmStyle {
   double thickness_top = 300;     // nanometres at the highest point of the scene,
   double thickness_bottom = 540;  // and at the lowest: films drain downwards
   double highlights = 1.0;
-  double tint_opacity = 0.30;  // added where a facet has a colour of its own
+  double tint_opacity = 0.25;  // added where a facet has a colour of its own
 };
 
 struct Style {
@@ -35,8 +35,8 @@ struct Style {
   Colour background_bottom = srgb(0xc5d0dc);
   Surroundings surroundings;
   FilmStyle film;
-  LineStyle border{srgb(0x56708f), 0.0065, 0.9};  // three or more films meet
-  LineStyle rim{srgb(0x56708f), 0.0065, 0.9};     // a film ends
+  LineStyle border{srgb(0x56708f), 0.0058, 0.9};  // three or more films meet
+  LineStyle rim{srgb(0x56708f), 0.0058, 0.9};     // a film ends
   LineStyle crease{srgb(0x8fa3b8), 0.0025, 0.3};  // a film bends sharply
   LineStyle wire{srgb(0xa8703f), 0.012, 1.0};     // fixed, or without films
   double quad_point = 1.7;                        // radius where four borders meet, in radii of a border

@@ -1,5 +1,6 @@
 #include "picture/view.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lamella::picture {
@@ -40,38 +41,38 @@ Vec3 direction(double azimuth_degrees, double elevation_degrees) {
           std::sin(elevation)};
 }
 
-// How much of the film's area is seen in a direction: 1 for a flat film seen head on, 0 edge on, 1/2 for a
-// sphere. A few thousand facets tell as much as all.
-double visible_part(const film::Film& film, const Vec3& from) {
+// How well the film is seen from a direction: the mean over its area of a measure that falls from 1 to 0
+// where the angle of sight gets below 30 degrees. A few thousand facets tell as much as all.
+double clearness(const film::Film& film, const Vec3& from) {
   const std::uint32_t stride = 1 + film.triangle_rows() / 4096;
-  double seen = 0;
+  double clear = 0;
   double whole = 0;
   for (std::uint32_t t = 0; t < film.triangle_rows(); t += stride) {
     if (!film.alive(film::Triangle(t))) continue;
     const auto& c = film.corners(film::Triangle(t));
     const Vec3 a = film.position(c[0]);
     const Vec3 normal = cross(film.position(c[1]) - a, film.position(c[2]) - a);
-    seen += std::abs(dot(normal, from));
-    whole += length(normal);
+    const double area = length(normal);
+    clear += std::min(2 * std::abs(dot(normal, from)), area);
+    whole += area;
   }
-  return whole > 0 ? seen / whole : 1;
+  return whole > 0 ? clear / whole : 1;
 }
 
 }  // namespace
 
 View view_of(const scene::Scene& scene) {
-  constexpr double enough = 0.42;
-  constexpr double azimuths_elevations[][2] = {{26, 22}, {-40, 24}, {70, 24}, {26, 50}, {-40, 50}, {115, 30}};
+  // Earlier ones are preferred unless a later one is clearly better.
+  constexpr double azimuths_elevations[][2] = {{26, 22}, {-38, 24}, {62, 24}, {12, 30}, {-64, 30}};
+  constexpr double clearly = 0.06;
   Vec3 best;
-  double best_part = -1;
+  double best_clearness = -1;
   for (const auto& [azimuth, elevation] : azimuths_elevations) {
     const Vec3 from = direction(azimuth, elevation);
-    const double part = visible_part(scene.film, from);
-    if (part > best_part) {
-      best = from;
-      best_part = part;
-    }
-    if (best_part >= enough) break;
+    const double clear = clearness(scene.film, from);
+    if (clear < best_clearness + clearly) continue;
+    best = from;
+    best_clearness = clear;
   }
   View view;
   view.rotation = looking_from(best);

@@ -69,8 +69,9 @@ void square(Builder& b, double x, double y, double z, int n) {
   b.patch({x - 1, y - 1, z}, {x + 1, y - 1, z}, {x + 1, y + 1, z}, {x - 1, y + 1, z}, n);
 }
 
-// The part of a sphere around `centre` on the x axis between its pole in direction `towards` (1 or -1) and
-// the circle of radius `rim` around x that lies `beyond` a half sphere or not; a flat disc for radius 0.
+// The part of a sphere around `centre` on the x axis from its pole in direction `towards` (1 or -1) to the
+// plane x = rim_x, wound to have the centre behind it. For radius 0 a flat disc of radius `rim` in that
+// plane.
 void cap(Builder& b, double centre, double radius, double towards, double rim, double rim_x, int n,
          RegionPair regions) {
   const int around = 4 * n;
@@ -82,10 +83,13 @@ void cap(Builder& b, double centre, double radius, double towards, double rim, d
     const double r = radius > 0 ? radius * std::sin(part * last) : rim * part;
     return b.vertex({x, r * std::cos(phi), r * std::sin(phi)});
   };
+  const auto add = [&](Vertex u, Vertex v, Vertex w) {
+    towards > 0 ? b.triangle(u, v, w, regions) : b.triangle(u, w, v, regions);
+  };
   for (int ring = 0; ring < n; ++ring) {
     for (int step = 0; step < around; ++step) {
-      b.triangle(at(ring, step), at(ring + 1, step), at(ring + 1, step + 1), regions);
-      b.triangle(at(ring, step), at(ring + 1, step + 1), at(ring, step + 1), regions);
+      add(at(ring, step), at(ring + 1, step), at(ring + 1, step + 1));
+      add(at(ring, step), at(ring + 1, step + 1), at(ring, step + 1));
     }
   }
 }
@@ -108,7 +112,7 @@ scene::Scene two_square_films(int n) {
 scene::Scene sphere(int n) {
   Builder b;
   cap(b, 0, 1, 1, 1, 0, n, {film::Region{0}, film::Region{1}});
-  cap(b, 0, 1, -1, 1, 0, n, {film::Region{1}, film::Region{0}});
+  cap(b, 0, 1, -1, 1, 0, n, {film::Region{0}, film::Region{1}});
   return b.finish();
 }
 
@@ -119,7 +123,7 @@ scene::Scene double_bubble(int n, double second) {
   const double rim = std::sqrt(1 - rim_x * rim_x);
   const double between = second < 1 ? 1 / (1 / second - 1) : 0;
   Builder b;
-  cap(b, 0, 1, -1, rim, rim_x, n, {film::Region{1}, film::Region{0}});
+  cap(b, 0, 1, -1, rim, rim_x, n, {film::Region{0}, film::Region{1}});
   cap(b, distance, second, 1, rim, rim_x, n, {film::Region{0}, film::Region{2}});
   // The smaller bubble, of higher pressure, bulges into the larger one.
   const double centre = rim_x + std::sqrt(std::max(0.0, between * between - rim * rim));
