@@ -89,6 +89,14 @@ double Problem::descent_direction(std::span<Vec3> direction) const {
   return squared;
 }
 
+void Problem::project(std::span<Vec3> field) {
+  for (std::size_t v = 0; v < field.size(); ++v) field[v] *= weights_[v];
+  if (targets_.empty()) return;
+  energy_.volume_gradient().dot(weights_, field, errors_);
+  gram_.solve(errors_, multipliers_);
+  energy_.volume_gradient().add(weights_, multipliers_, -1.0, field);
+}
+
 void Problem::volume_errors(std::span<double> errors) const {
   const std::span<const double> volumes = energy_.volumes();
   for (std::size_t i = 0; i < targets_.size(); ++i)
@@ -114,7 +122,7 @@ double Problem::volume_error() const {
   return worst;
 }
 
-Ending Problem::restore_volumes(std::span<Vec3> x, double& energy) {
+Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode mode) {
   if (targets_.empty()) {
     energy = energy_.value(x);
     return std::isfinite(energy) ? Ending::converged : Ending::not_finite;
@@ -127,6 +135,7 @@ Ending Problem::restore_volumes(std::span<Vec3> x, double& energy) {
     if (error < volume_tolerance || (error < 100 * volume_tolerance && error > 0.5 * before))
       return Ending::converged;
     if (error > 0.1 * before) {
+      if (mode == RestoreMode::same_gradients) return Ending::volume_lost;
       bool ok = false;
       linearise(x, ok);
       if (!ok) return Ending::volume_lost;

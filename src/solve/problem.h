@@ -26,6 +26,10 @@ enum class Ending {
 
 std::string_view describe(Ending ending);
 
+// How volumes are brought back: with new gradients where the old ones lead there too slowly, or giving up
+// then.
+enum class RestoreMode { renew_gradients, same_gradients };
+
 // Energy, constraints and the state of one film. Positions belong to the caller (the film's own rows, edited
 // in place); weights are the inverse masses with which vertices answer a force: 0 for a fixed one.
 class Problem {
@@ -49,6 +53,8 @@ class Problem {
   // `direction` has a row a vertex. Returns its squared length.
   double descent_direction(std::span<Vec3> direction) const;
   std::span<const double> pressures() const { return pressures_; }
+  // Takes out of a field what changes volumes to first order, and what would move fixed vertices.
+  void project(std::span<Vec3> field);
 
   // energy - sum pressures * (volume - target), with the pressures of the last `linearise`.
   double merit(std::span<const Vec3> x);
@@ -59,7 +65,7 @@ class Problem {
   // the gradients of the last `linearise` serve as long as they lead there fast, then it linearises anew. One
   // pass at most doubles or halves a volume, so that large changes do not tangle. On return `energy` is the
   // energy at x. Ending::converged or volume_lost or not_finite.
-  Ending restore_volumes(std::span<Vec3> x, double& energy);
+  Ending restore_volumes(std::span<Vec3> x, double& energy, RestoreMode mode = RestoreMode::renew_gradients);
 
   // Writes pressures to the scene's bodies.
   void publish(scene::Scene& scene) const;

@@ -1,0 +1,50 @@
+#include "surgery/average.h"
+
+#include "session/session.h"
+#include "solve/problem.h"
+
+namespace lamella::session::commands {
+
+namespace {
+
+struct AverageOptions {
+  long times = 1;
+};
+
+// Averaging keeps volumes to first order; the rest is made good. Volumes go back to what they were, which
+// need not be their targets yet.
+void restore_volumes(scene::Scene& scene, const energy::Measures& before) {
+  scene::Scene held = scene;
+  for (std::size_t b = 0; b < held.bodies.size(); ++b) {
+    if (held.bodies[b].fixed_volume()) held.bodies[b].target_volume = before.volumes[b + 1];
+  }
+  solve::Problem problem(held);
+  bool ok = false;
+  problem.linearise(scene.film.positions(), ok);
+  double energy = 0;
+  if (!ok || problem.restore_volumes(scene.film.edit_positions(), energy) != solve::Ending::converged) {
+    throw text::Error("the volumes were lost in averaging",
+                      "the mesh may be too coarse or tangled: try check, u or refine");
+  }
+}
+
+void run(Session& session, const AverageOptions& options) {
+  scene::Scene& scene = session.scene();
+  const energy::Measures before = session.measures();
+  for (long i = 0; i < options.times && !session.monitor().stop_requested(); ++i) {
+    surgery::average_vertices(scene.film);
+    if (scene.keep_volumes && scene.has_fixed_volume()) restore_volumes(scene, before);
+  }
+  session.tell("Vertex averaging done.\n");
+}
+
+}  // namespace
+
+extern const Command average_command =
+    make_command<AverageOptions>({.name = "average",
+                                  .aliases = {"V", "vertex_average"},
+                                  .summary = "move vertices to the middle of their neighbours, volumes kept",
+                                  .group = CommandGroup::mesh},
+                                 {positional("times", &AverageOptions::times, "how often").at_least(0)}, run);
+
+}  // namespace lamella::session::commands

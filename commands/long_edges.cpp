@@ -1,0 +1,41 @@
+#include "session/session.h"
+#include "surgery/split_edge.h"
+
+namespace lamella::session::commands {
+
+namespace {
+
+struct LongEdgesOptions {
+  double length = 0;
+};
+
+// One attempt for each edge as it stands, as in Surface Evolver.
+void run(Session& session, const LongEdgesOptions& options) {
+  film::Film& film = session.scene().film;
+  const std::uint32_t edges = film.edge_rows();
+  long divided = 0;
+  for (std::uint32_t i = 0; i < edges; ++i) {
+    const film::Edge e(i);
+    if (!film.alive(e)) continue;
+    const auto& ends = film.ends(e);
+    if (length(film.position(ends[1]) - film.position(ends[0])) <= options.length) continue;
+    surgery::split_edge(film, e);
+    ++divided;
+  }
+  session.counter("edge_refine_count") = static_cast<double>(divided);
+  session.tell("New edges: {}\n", divided);
+}
+
+}  // namespace
+
+extern const Command long_edges_command = make_command<LongEdgesOptions>(
+    {.name = "long_edges",
+     .aliases = {"l"},
+     .summary = "halve edges longer than a length",
+     .group = CommandGroup::mesh},
+    {positional("length", &LongEdgesOptions::length, "edges longer than this are halved")
+         .required()
+         .at_least(0)},
+    run);
+
+}  // namespace lamella::session::commands
