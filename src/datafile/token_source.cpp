@@ -203,8 +203,11 @@ Token TokenSource::next() {
       return token;
     }
     if (token.is_symbol("#")) {
+      const std::size_t depth = files_.size();
       directive(token);
-      continue;
+      if (files_.size() == depth) continue;
+      token.kind = TokenKind::newline;  // an included file begins on a line of its own
+      return token;
     }
     if (!token.is(TokenKind::word) || macros_.empty()) return token;
     const auto macro = macros_.find(token.text);

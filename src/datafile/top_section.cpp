@@ -163,10 +163,13 @@ void set_variable(Reading& reading, const Token& name, language::Value value, bo
   if (parameter) variables.mark_parameter(id);
 }
 
-// `:=` comes as a '=' with a colon before it.
+// `:=` comes as a '=' with a colon before it. It may stand on the next line.
 bool take_equals(Reading& reading) {
-  if (!reading.tokens.peek().is_symbol("=")) return false;
-  reading.tokens.take();
+  TokenSource& tokens = reading.tokens;
+  std::size_t ahead = 0;
+  while (tokens.peek(ahead).is(TokenKind::newline)) ++ahead;
+  if (!tokens.peek(ahead).is_symbol("=")) return false;
+  for (++ahead; ahead > 0; --ahead) tokens.take();
   return true;
 }
 

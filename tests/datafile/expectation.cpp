@@ -9,7 +9,7 @@
 
 #include "text/suggest.h"
 
-namespace lamella::tests {
+namespace lamella::test {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::vector<std::string> datafiles_in(const std::string& folder) {
   return result;
 }
 
-}  // namespace lamella::tests
+}  // namespace lamella::test

@@ -7,7 +7,7 @@
 
 #include "text/error.h"
 
-namespace lamella::tests {
+namespace lamella::test {
 
 struct ExpectedMessage {
   text::Severity severity = text::Severity::error;
@@ -34,4 +34,4 @@ std::string difference(const std::vector<ExpectedMessage>& expected,
 // The .fe files of a folder below the source's root, sorted.
 std::vector<std::string> datafiles_in(const std::string& folder);
 
-}  // namespace lamella::tests
+}  // namespace lamella::test

@@ -9,7 +9,7 @@
 #include "datafile/read.h"
 #include "film/check.h"
 
-namespace lamella::tests {
+namespace lamella::test {
 
 namespace {
 
@@ -66,4 +66,4 @@ INSTANTIATE_TEST_SUITE_P(Tricky, ExpectedMessages, testing::ValuesIn(datafiles_i
 
 }  // namespace
 
-}  // namespace lamella::tests
+}  // namespace lamella::test

@@ -3,7 +3,7 @@
 
 #include "scene/scene.h"
 
-namespace lamella::tests {
+namespace lamella::test {
 
 inline double area(const scene::Scene& scene) {
   double sum = 0;
@@ -31,4 +31,4 @@ inline double volume(const scene::Scene& scene, film::Region region) {
   return sum;
 }
 
-}  // namespace lamella::tests
+}  // namespace lamella::test
