@@ -150,8 +150,9 @@ void ExpressionParser::unexpected(std::string_view wanted, std::string_view afte
   throw text::Error(found.place, message);
 }
 
-void ExpressionParser::close(std::string_view symbol, const Token& opener) {
-  if (accept(symbol)) return;
+// Returns the place of the closing symbol.
+text::Place ExpressionParser::close(std::string_view symbol, const Token& opener) {
+  if (tokens_.peek().is_symbol(symbol)) return tokens_.take().place;
   const Token& found = tokens_.peek();
   if (found.ends_line()) {
     const std::string message =
@@ -340,16 +341,15 @@ ExpressionPointer ExpressionParser::local_or_attribute() {
 }
 
 ExpressionPointer ExpressionParser::attribute_of_element() {
-  const Token first = tokens_.peek();
   ElementPath path = element();
   if (!accept(".") && !tokens_.peek().is(TokenKind::word)) {
-    const std::string example = fmt::format("write {}.{} for an attribute", first.text,
+    const std::string written = path.place.source->content.substr(path.place.offset, path.place.length);
+    const std::string example = fmt::format("write {}.{} for an attribute", written,
                                             path.kind() == ElementKind::body ? "volume" : "id");
-    throw text::Error(first.place, "an element is no value", example);
+    throw text::Error(path.place, "an element is no value", example);
   }
   AttributeUse use = attribute(std::move(path));
-  text::Place place =
-      use.indices.empty() ? use.element.place : join(use.element.place, use.indices.back()->place);
+  text::Place place = use.element.place;
   return make(std::move(use), std::move(place));
 }
 
@@ -368,7 +368,7 @@ AttributeUse ExpressionParser::attribute(ElementPath of) {
   AttributeUse use{std::move(of), meaning->id, meaning->shape, {}};
   use.element.place = join(use.element.place, name.place);
   while (tokens_.peek().is_symbol("[") && use.indices.size() < use.shape.size())
-    use.indices.push_back(bracketed_index());
+    use.indices.push_back(bracketed_index(use.element.place));
   if (tokens_.peek().is_symbol("[")) {
     const std::string_view dimensions = use.shape.empty() ? "is a single number" : "has fewer dimensions";
     throw text::Error(tokens_.peek().place, fmt::format("\"{}\" {}", name.text, dimensions));
@@ -376,11 +376,12 @@ AttributeUse ExpressionParser::attribute(ElementPath of) {
   return use;
 }
 
-ExpressionPointer ExpressionParser::bracketed_index() {
+// Parses `[index]`; `place` grows to its end.
+ExpressionPointer ExpressionParser::bracketed_index(text::Place& place) {
   const Token opener = tokens_.take();
   const Enclosed enclosed(*this);
   ExpressionPointer index = expression();
-  close("]", opener);
+  place = join(place, close("]", opener));
   return index;
 }
 
@@ -417,14 +418,15 @@ ElementPath ExpressionParser::element() {
       throw text::Error(first.place, fmt::format("which {}?", name_of(path.root_kind)),
                         fmt::format("name one by its number, as in {}[1]", name_of(path.root_kind)));
     }
-    path.number = bracketed_index();
+    path.number = bracketed_index(path.place);
   }
   while (tokens_.peek().is_symbol(".") && element_kind(tokens_.peek(1).text) &&
          tokens_.peek(2).is_symbol("[")) {
     tokens_.take();
     const Token step = tokens_.take();
-    path.steps.push_back({*element_kind(step.text), bracketed_index(), step.place});
     path.place = join(path.place, step.place);
+    ExpressionPointer index = bracketed_index(path.place);
+    path.steps.push_back({*element_kind(step.text), std::move(index), step.place});
   }
   return path;
 }

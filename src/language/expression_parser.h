@@ -77,14 +77,14 @@ class ExpressionParser {
   ExpressionPointer attribute_of_element();
   ExpressionPointer local_or_attribute();
   std::vector<ExpressionPointer> arguments(const Token& name, std::optional<std::size_t> wanted);
-  ExpressionPointer bracketed_index();
+  ExpressionPointer bracketed_index(text::Place& place);
   ElementPath element_in_turn(const Local& local, const text::Place& place) const;
 
   std::size_t path_end(std::size_t ahead);
   bool aggregate_ahead();
   bool accept(std::string_view symbol);
   bool accept_comma();
-  void close(std::string_view symbol, const Token& opener);
+  text::Place close(std::string_view symbol, const Token& opener);
   [[noreturn]] void unexpected(std::string_view wanted, std::string_view after = {});
   [[noreturn]] void unknown_name(const Token& name);
 

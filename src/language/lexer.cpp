@@ -321,7 +321,7 @@ Token LexerStream::take() {
   peek();
   while (brackets_ > 0 && ahead_.front().is(TokenKind::newline)) ahead_.pop_front();
   Token result = std::move(ahead_.front());
-  if (!result.is(TokenKind::end)) ahead_.pop_front();
+  ahead_.pop_front();  // at the end the lexer gives another
   previous_end_ = result.place.offset + result.place.length;
   return result;
 }
