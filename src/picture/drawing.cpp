@@ -19,6 +19,9 @@ using film::Vec3;
 
 namespace {
 
+// Squares of lengths beyond this are no numbers any more.
+constexpr double largest_radius = 1e150;
+
 // The box of all vertices that an edge ends at decides the unit of length.
 void measure(Drawing& drawing, const Film& film) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -40,7 +43,12 @@ void measure(Drawing& drawing, const Film& film) {
   }
   if (low.x > high.x) return;  // nothing to draw
   drawing.middle = low / 2 + high / 2;
-  const double radius = length(high / 2 - low / 2);
+  const Vec3 half = high / 2 - low / 2;
+  const double radius = std::hypot(half.x, half.y, half.z);
+  if (!(radius < largest_radius)) {
+    throw text::Error(fmt::format("the scene is {:.3g} wide, too large to be drawn", 2 * radius),
+                      fmt::format("distances up to {:.0e} can be drawn", largest_radius));
+  }
   if (radius > 0) drawing.radius = radius;
 }
 

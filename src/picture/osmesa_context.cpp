@@ -56,8 +56,11 @@ std::unique_ptr<GlContext> make_gl_context() {
 
 #ifdef __SANITIZE_ADDRESS__
 // OSMesa keeps a few hundred bytes of each context that it has destroyed. The leak checker asks here what to
-// forgive, for every program that draws.
+// forgive, and how, for every program that draws.
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libOSMesa\n";
+}
+extern "C" const char* __lsan_default_options() {
+  return "print_suppressions=0";
 }
 #endif

@@ -132,7 +132,7 @@ vec3 interference(float nanometres, float cosine) {
 
 void main() {
   vec3 viewer = to_viewer(place);
-  vec3 n = normalize(facing);
+  vec3 n = dot(facing, facing) > 0.0 ? normalize(facing) : viewer;  // degenerate facets have no normal
   // A lamp in a flat film would whiten the whole of it; highlights belong to what is curved.
   float shine = highlights * mix(0.15, 1.0, smoothstep(0.05, 0.5, curvature));
   float cosine = dot(n, viewer);

@@ -126,8 +126,8 @@ class SheetFinder {
       const Vec3 at = film_.position(c[static_cast<std::size_t>(corner.k)]);
       const Vec3 a = film_.position(c[static_cast<std::size_t>(film::next_corner(corner.k))]) - at;
       const Vec3 b = film_.position(c[static_cast<std::size_t>(film::previous_corner(corner.k))]) - at;
-      const double weight = squared_length(a) * squared_length(b);
-      if (weight > 0) sum += cross(a, b) / (corner.flipped ? -weight : weight);
+      const double weight = length(a) * length(b);
+      if (weight > 0) sum += cross(unit(a), unit(b)) / (corner.flipped ? -weight : weight);
     }
     const Vec3 normal = unit(sum);
     std::uint32_t rows[2] = {film::no_index, film::no_index};

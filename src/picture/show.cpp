@@ -95,7 +95,9 @@ Image render(const scene::Scene& scene, const PictureOptions& options) {
   const View view = options.view ? *options.view : view_of(scene);
   const double aspect = static_cast<double>(options.width) / options.height;
   Painter painter(drawing, options.style);
-  painter.look_through(fit_camera(drawing.outline(), drawing.largest_tube(), view, aspect));
+  // Films that are shrunk to a point are still looked at from a distance.
+  const double around = std::max(drawing.largest_tube(), 1e-3);
+  painter.look_through(fit_camera(drawing.outline(), around, view, aspect));
   Image image(options.width, options.height);
   paint_all(painter, options, image);
   return image;

@@ -63,8 +63,8 @@ double clearness(const film::Film& film, const Vec3& from) {
 
 View view_of(const scene::Scene& scene) {
   // Earlier ones are preferred unless a later one is clearly better.
-  constexpr double azimuths_elevations[][2] = {{26, 22}, {-38, 24}, {62, 24}, {12, 30}, {-64, 30}};
-  constexpr double clearly = 0.06;
+  constexpr double azimuths_elevations[][2] = {{26, 22}, {62, 24}, {-62, 26}, {22, 34}, {14, 28}};
+  constexpr double clearly = 0.045;
   Vec3 best;
   double best_clearness = -1;
   for (const auto& [azimuth, elevation] : azimuths_elevations) {

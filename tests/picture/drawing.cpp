@@ -166,5 +166,13 @@ TEST(Drawing, RefusesCoordinatesThatAreNotFinite) {
   }
 }
 
+TEST(Drawing, RefusesAnImmenseScene) {
+  scene::Scene scene = scenes::square_film(2);
+  scene.film.move(film::Vertex(4U), {1e200, 0, 0});
+  EXPECT_THROW(draw(scene, Style{}), text::Error);
+  for (Vec3& p : scene.film.edit_positions()) p = 1e100 * unit(p);
+  EXPECT_FALSE(draw(scene, Style{}).empty());
+}
+
 }  // namespace
 }  // namespace lamella::picture

@@ -154,6 +154,29 @@ TEST(Show, TheNearerColourPrevails) {
   EXPECT_GT(below.blue, below.red + 40);
 }
 
+TEST(Show, AFacetMayHaveTwoColours) {
+  PictureOptions options = small();
+  options.style = plain_style(0.1, 0.5F);
+  options.style.film.tint_opacity = 0.7;
+  scene::Scene scene = scenes::square_film(2);
+  film::Columns& columns = scene.film.columns(film::ElementKind::facet);
+  columns.add(film::integer_column("color", 4));
+  columns.add(film::integer_column("backcolor", 1));
+  options.view = from_above();
+  const Pixel front = pixel_at(render(scene, options), place_of({0.2, 0.3, 0}, scene, options));
+  options.view->rotation = looking_from({0, 0, -1});
+  const Pixel back = pixel_at(render(scene, options), place_of({0.2, 0.3, 0}, scene, options));
+  EXPECT_GT(front.red, front.blue + 40);
+  EXPECT_GT(back.blue, back.red + 40);
+}
+
+TEST(Show, AFilmShrunkToAPointIsNoAccident) {
+  scene::Scene scene = scenes::sphere(2);
+  for (Vec3& p : scene.film.edit_positions()) p = {3, 4, 5};
+  const Image image = render(scene, small());
+  EXPECT_EQ(image.pixels.size(), 160U * 120U);
+}
+
 TEST(Show, FilmsAreDenserAtGrazingAngles) {
   PictureOptions options = small();
   options.transparent = true;
