@@ -1,39 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "energy/mesh_quality.h"
 #include "energy/plateau.h"
-#include "energy/triangle.h"
 #include "session/session.h"
 #include "session/tables.h"
 
 namespace lamella::session::commands {
 
 namespace {
-
-struct MeshHealth {
-  double shortest = HUGE_VAL;
-  double longest = 0;
-  double smallest_angle = M_PI;  // radians
-};
-
-MeshHealth health(const film::Film& film) {
-  MeshHealth h;
-  for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
-    if (!film.alive(film::Edge(i))) continue;
-    const auto& ends = film.ends(film::Edge(i));
-    const double l = length(film.position(ends[1]) - film.position(ends[0]));
-    h.shortest = std::min(h.shortest, l);
-    h.longest = std::max(h.longest, l);
-  }
-  for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
-    if (!film.alive(film::Triangle(i))) continue;
-    const auto& c = film.corners(film::Triangle(i));
-    h.smallest_angle =
-        std::min(h.smallest_angle,
-                 energy::smallest_angle(film.position(c[0]), film.position(c[1]), film.position(c[2])));
-  }
-  return h;
-}
 
 // The largest relative error among the volumes with a target.
 double volume_error(const scene::Scene& scene, const energy::Measures& measures) {
@@ -55,9 +30,9 @@ void run(Session& session) {
     session.print("Volumes: {}, largest relative error {:.2g}\n", scene.keep_volumes ? "kept" : "free",
                   volume_error(scene, measures));
   }
-  const MeshHealth mesh = health(scene.film);
-  session.print("Edges: {:.4g} to {:.4g}  Smallest angle: {:.2f} degrees\n", mesh.shortest, mesh.longest,
-                mesh.smallest_angle * 180 / M_PI);
+  const energy::EdgeLengths edges = energy::edge_lengths(scene.film);
+  session.print("Edges: {:.4g} to {:.4g}  Smallest angle: {:.2f} degrees\n", edges.shortest, edges.longest,
+                energy::smallest_angle(scene.film) * 180 / M_PI);
   const energy::PlateauAngles angles = energy::plateau_angles(scene.film);
   if (angles.triple.angles > 0)
     session.print("Triple lines: rms {:.4f} degrees off 120\n", angles.triple.rms);

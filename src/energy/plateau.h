@@ -23,8 +23,7 @@ struct PlateauAngles {
       0;  // vertices where three or more borders meet, but not four of three films each
 };
 
-// A film fixed in place (all three corners fixed) is left out, as are border edges whose two ends are fixed:
-// wires hold films at any angle.
+// Border edges with both ends fixed and fixed vertices are left out: wires hold films at any angle.
 PlateauAngles plateau_angles(const film::Film& film);
 
 }  // namespace lamella::energy

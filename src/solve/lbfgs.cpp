@@ -36,9 +36,10 @@ struct Pair {
 
 class Minimiser {
  public:
-  Minimiser(Problem& problem, const scene::Scene& scene, std::span<Vec3> x)
+  Minimiser(Problem& problem, const scene::Scene& scene, std::span<Vec3> x, MotionKind motion)
       : problem_(problem),
         laplacian_(scene, problem.weights()),
+        freedom_(scene.film, motion),
         x_(x),
         from_(x.size()),
         force_(x.size()),
@@ -50,12 +51,14 @@ class Minimiser {
  private:
   bool start();
   bool renew();
+  void find_force();
   void find_direction();
   bool search(double& energy);
   void remember();
 
   Problem& problem_;
   Laplacian laplacian_;
+  Freedom freedom_;
   std::span<Vec3> x_;
   Field from_;
   Field force_;  // minus the projected gradient at x
@@ -72,13 +75,21 @@ bool Minimiser::start() {
   bool ok = false;
   energy_ = problem_.linearise(x_, ok);
   if (!ok) return false;
-  problem_.descent_direction(force_);
+  memory_.clear();
   return renew();
 }
 
+// A new metric and, as directions of motion change, a new force; what was learnt in other directions is of little use.
 bool Minimiser::renew() {
   since_renewal_ = 0;
+  freedom_.renew(x_);
+  find_force();
   return laplacian_.factorise(x_);
+}
+
+void Minimiser::find_force() {
+  problem_.descent_direction(force_);
+  freedom_.restrict(force_);
 }
 
 // The two-loop recursion around the projected inverse Laplacian.
@@ -91,6 +102,7 @@ void Minimiser::find_direction() {
   }
   problem_.project(direction_);
   laplacian_.solve(direction_);
+  freedom_.restrict(direction_);
   problem_.project(direction_);
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     const double beta = product(memory_[i].change, direction_) / memory_[i].curvature;
@@ -152,7 +164,6 @@ LbfgsReport Minimiser::run(const LbfgsOptions& options, scene::Monitor& monitor)
     double energy = energy_;
     if (!(slope_ < 0) || !search(energy)) {
       if (fresh) return end(Ending::stuck);
-      memory_.clear();
       if (!start()) return end(Ending::volume_lost);
       fresh = true;
       continue;
@@ -162,7 +173,7 @@ LbfgsReport Minimiser::run(const LbfgsOptions& options, scene::Monitor& monitor)
     bool ok = false;
     energy_ = problem_.linearise(x_, ok);
     if (!ok) return end(Ending::volume_lost);
-    problem_.descent_direction(force_);
+    find_force();
     remember();
     ++report.iterations;
     if (++since_renewal_ >= renewal && !renew()) return end(Ending::stuck);
@@ -175,7 +186,7 @@ LbfgsReport Minimiser::run(const LbfgsOptions& options, scene::Monitor& monitor)
 
 LbfgsReport lbfgs(Problem& problem, const scene::Scene& scene, std::span<Vec3> x, const LbfgsOptions& options,
                   scene::Monitor& monitor) {
-  return Minimiser(problem, scene, x).run(options, monitor);
+  return Minimiser(problem, scene, x, options.motion).run(options, monitor);
 }
 
 }  // namespace lamella::solve

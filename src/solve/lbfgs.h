@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/monitor.h"
+#include "solve/freedom.h"
 #include "solve/problem.h"
 
 namespace lamella::solve {
@@ -10,6 +11,7 @@ struct LbfgsOptions {
   long most_iterations = 2000;
   // Ends when the estimated excess of the energy over the minimum, relative to the energy, falls below this.
   double tolerance = 1e-10;
+  MotionKind motion = MotionKind::normal;
 };
 
 struct LbfgsReport {

@@ -61,7 +61,7 @@ bool flip_is_flat(const Film& film, const Diagonal& d) {
   const auto area = [&](Vertex a, Vertex b, Vertex c) {
     return energy::double_area_vector(at(a), at(b), at(c));
   };
-  const Vec3 mean = unit(unit(area(d.p, d.q, d.r)) + unit(area(d.q, d.p, d.w)));
+  const Vec3 mean = unit(area(d.p, d.q, d.r) + area(d.q, d.p, d.w));
   const Vec3 at_p = unit(area(d.p, d.w, d.r));
   const Vec3 at_q = unit(area(d.w, d.q, d.r));
   return dot(at_p, mean) > 0.5 && dot(at_q, mean) > 0.5;

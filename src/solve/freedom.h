@@ -1,0 +1,40 @@
+// Which motions of a vertex change the shape of the film, and which only slide the mesh along it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "film/film.h"
+
+namespace lamella::solve {
+
+using film::Vec3;
+
+// Full freedom lets every vertex move anywhere: then a minimum of the discrete energy may tear the mesh into slivers, for
+// gains far below the discretisation error. Normal freedom holds what is mere reparametrisation: inside a film a vertex
+// moves along the film's normal, on a border or rim square to the line; quad points and other corners move freely.
+enum class MotionKind { normal, full };
+
+class Freedom {
+ public:
+  // Directions at x; they stay until renewed.
+  Freedom(const film::Film& film, MotionKind kind);
+  void renew(std::span<const Vec3> x);
+
+  // Takes out of a field (a row a vertex) what the vertices are not free to do.
+  void restrict(std::span<Vec3> field) const;
+
+ private:
+  enum class Kind : std::uint8_t { free, along, square };
+  struct Line {
+    std::uint32_t vertex = 0;
+    std::uint32_t before = 0;
+    std::uint32_t after = 0;
+  };
+  film::Film film_;
+  std::vector<Kind> kind_;
+  std::vector<Line> lines_;
+  std::vector<Vec3> direction_;
+};
+
+}  // namespace lamella::solve
