@@ -19,8 +19,9 @@ constexpr int free_rounds = 6;
 constexpr long free_iterations = 15;
 constexpr double near = 1e-4;
 // A mesh is fit while no angle is smaller than this (radians); upkeep goes on while it helps.
-constexpr double fit_angle = 25 * M_PI / 180;
-constexpr int most_upkeep_passes = 8;
+constexpr double fit_angle = 20 * M_PI / 180;
+constexpr int most_upkeep_passes = 4;
+constexpr int most_flip_passes = 3;
 constexpr int upkeep_rounds = 5;
 
 // Runs one stretch of the minimiser, and adds what it did to the report.
@@ -69,16 +70,20 @@ void Relaxer::minimise(MotionKind motion, long iterations, double tolerance) {
   report_.residual = part.residual;
 }
 
-// Flips and averaging until the mesh is fit or no longer gets better. False if nothing was gained.
+// Flips and one averaging, and more of both while the mesh is unfit and gets better. False if that gained
+// nothing.
 bool Relaxer::keep_mesh() {
   const double start = energy::smallest_angle(scene_.film);
-  if (start > fit_angle) return false;
   double before = start;
   for (int pass = 0; pass < most_upkeep_passes; ++pass) {
-    report_.flips += surgery::equiangulate(scene_.film);
+    for (int flips = 0; flips < most_flip_passes; ++flips) {
+      const std::uint32_t made = surgery::equiangulate(scene_.film);
+      report_.flips += made;
+      if (made == 0) break;
+    }
     surgery::average_vertices(scene_.film);
     const double after = energy::smallest_angle(scene_.film);
-    if (after > fit_angle || (pass > 2 && after < before)) break;
+    if (after > fit_angle || (pass > 0 && after < before)) break;
     before = after;
   }
   return meet_targets() && energy::smallest_angle(scene_.film) > start;

@@ -10,9 +10,10 @@ namespace lamella::solve {
 
 using film::Vec3;
 
-// Full freedom lets every vertex move anywhere: then a minimum of the discrete energy may tear the mesh into slivers, for
-// gains far below the discretisation error. Normal freedom holds what is mere reparametrisation: inside a film a vertex
-// moves along the film's normal, on a border or rim square to the line; quad points and other corners move freely.
+// Full freedom lets every vertex move anywhere: then a minimum of the discrete energy may tear the mesh into
+// slivers, for gains far below the discretisation error. Normal freedom holds what is mere reparametrisation:
+// inside a film a vertex moves along the film's normal, on a border or rim square to the line; quad points
+// and other corners move freely.
 enum class MotionKind { normal, full };
 
 class Freedom {

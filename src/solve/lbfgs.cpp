@@ -68,6 +68,10 @@ class Minimiser {
   double energy_ = 0;
   double slope_ = 0;
   int since_renewal_ = 0;
+  // Forces are restricted to what changes the shape. The mesh at first follows them smoothly, as the
+  // Laplacian spreads them, which keeps it even; where the energy of a curved mesh objects to the sliding, it
+  // stops following.
+  bool strict_ = false;
 };
 
 // At x with its volumes right: energy, force and a fresh metric.
@@ -79,7 +83,8 @@ bool Minimiser::start() {
   return renew();
 }
 
-// A new metric and, as directions of motion change, a new force; what was learnt in other directions is of little use.
+// A new metric and, as directions of motion change, a new force; what was learnt in other directions is of
+// little use.
 bool Minimiser::renew() {
   since_renewal_ = 0;
   freedom_.renew(x_);
@@ -102,7 +107,7 @@ void Minimiser::find_direction() {
   }
   problem_.project(direction_);
   laplacian_.solve(direction_);
-  freedom_.restrict(direction_);
+  if (strict_) freedom_.restrict(direction_);
   problem_.project(direction_);
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     const double beta = product(memory_[i].change, direction_) / memory_[i].curvature;
@@ -163,7 +168,8 @@ LbfgsReport Minimiser::run(const LbfgsOptions& options, scene::Monitor& monitor)
     if (report.iterations == options.most_iterations) return end(Ending::step_limit);
     double energy = energy_;
     if (!(slope_ < 0) || !search(energy)) {
-      if (fresh) return end(Ending::stuck);
+      if (fresh && strict_) return end(Ending::stuck);
+      strict_ = fresh;
       if (!start()) return end(Ending::volume_lost);
       fresh = true;
       continue;
