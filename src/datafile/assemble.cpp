@@ -51,6 +51,7 @@ class Assembler {
   void add_edges();
   void add_triangles();
   void add_columns(ElementKind kind);
+  void add_inheriting_columns();
   void add_original(ElementKind kind);
   void inherit_in_cuts();
   void set_centre(const Cut& cut);
@@ -136,6 +137,22 @@ void Assembler::add_columns(ElementKind kind) {
   if (kind != ElementKind::body) add_original(kind);
 }
 
+// What splits a fixed edge is fixed, what is drawn inside a fixed face too: so where faces or edges have such
+// a column, edges and vertices need one.
+void Assembler::add_inheriting_columns() {
+  const auto has = [&](ElementKind kind, std::string_view name) {
+    return film_.columns(kind).find(name) != nullptr;
+  };
+  for (const ElementKind kind : {ElementKind::edge, ElementKind::vertex}) {
+    for (const KnownColumn& known : known_columns()) {
+      if (known.kind != kind || known.on_new != film::Inheritance::New::parent || has(kind, known.name))
+        continue;
+      const bool from_edges = kind == ElementKind::vertex && has(ElementKind::edge, known.name);
+      if (from_edges || has(ElementKind::facet, known.name)) film_.columns(kind).add(make_column(known));
+    }
+  }
+}
+
 // The number in the datafile, or in the one it comes from; 0 for what a cut has made.
 void Assembler::add_original(ElementKind kind) {
   film::Column& column = film_.columns(kind).add(make_column(*known_column(kind, "original")));
@@ -204,6 +221,7 @@ void Assembler::run() {
   drop_needless_backcolor(rows_.columns_of(ElementKind::facet));
   for (const ElementKind kind : {ElementKind::vertex, ElementKind::edge, ElementKind::facet})
     add_columns(kind);
+  add_inheriting_columns();
   inherit_in_cuts();
   number_elements();
   film_.sort_all_sides();

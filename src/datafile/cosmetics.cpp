@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "datafile/reading.h"
-#include "datafile/top_section.h"
+#include "datafile/top_values.h"
 #include "text/suggest.h"
 
 namespace lamella::datafile {

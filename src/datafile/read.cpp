@@ -6,6 +6,7 @@
 #include "datafile/assemble.h"
 #include "datafile/body_check.h"
 #include "datafile/elements.h"
+#include "datafile/include_files.h"
 #include "datafile/oddities.h"
 #include "datafile/reading.h"
 #include "datafile/resolve.h"

@@ -1,16 +1,14 @@
 #include "datafile/token_source.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "text/suggest.h"
-#include "text/whole_file.h"
+#include "datafile/include_files.h"
+#include "datafile/plain_numbers.h"
 
 namespace lamella::datafile {
 
@@ -23,104 +21,6 @@ using language::TokenKind;
 constexpr std::size_t most_sources = 10000;
 // What one use of a macro may grow to: a dozen lines of doubling macros would fill the memory.
 constexpr std::size_t most_macro_tokens = 100000;
-
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == ',' || c == ':' || c == ';';
-}
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-// 1 for LF or CR, 2 for CR LF, 0 if no line ends here.
-std::uint32_t line_end_length(std::string_view content, std::size_t at) {
-  if (at >= content.size()) return 0;
-  if (content[at] == '\n') return 1;
-  if (content[at] != '\r') return 0;
-  return at + 1 < content.size() && content[at + 1] == '\n' ? 2 : 1;
-}
-
-// Past blanks, separators and spliced line ends.
-std::uint32_t skip_blanks(std::string_view content, std::uint32_t at) {
-  while (at < content.size()) {
-    if (is_space(content[at])) {
-      ++at;
-    } else if (content[at] == '\\' && line_end_length(content, at + 1) > 0) {
-      at += 1 + line_end_length(content, at + 1);
-    } else {
-      break;
-    }
-  }
-  return at;
-}
-
-bool ends_number(std::string_view content, std::size_t at) {
-  if (at >= content.size()) return true;
-  const char c = content[at];
-  return is_space(c) || c == '\n' || c == '\r' || c == '}' ||
-         (c == '\\' && line_end_length(content, at + 1) > 0);
-}
-
-// The length of a whole number of few digits that stands alone; 0 if there is none. Most numbers of a
-// datafile are numbers of elements.
-std::uint32_t plain_whole(std::string_view content, std::size_t at, double& value) {
-  constexpr std::size_t most_digits = 9;
-  std::uint32_t number = 0;
-  std::size_t end = at;
-  for (; end < content.size() && end < at + most_digits && is_digit(content[end]); ++end) {
-    number = 10 * number + static_cast<std::uint32_t>(content[end] - '0');
-  }
-  if (end == at || !ends_number(content, end)) return 0;
-  value = number;
-  return static_cast<std::uint32_t>(end - at);
-}
-
-// The length of a decimal number, with a minus sign or without, that stands alone; 0 if there is none.
-std::uint32_t plain_number(std::string_view content, std::size_t at, double& value) {
-  constexpr std::uint32_t longest = std::numeric_limits<std::uint16_t>::max();  // of a Spot
-  const std::uint32_t sign = at < content.size() && content[at] == '-' ? 1 : 0;
-  if (const std::uint32_t digits = plain_whole(content, at + sign, value)) {
-    if (sign != 0) value = -value;
-    return sign + digits;
-  }
-  const std::string_view rest = content.substr(std::min(at + sign, content.size()), 2);
-  const bool begins =
-      !rest.empty() && (is_digit(rest[0]) || (rest.size() == 2 && rest[0] == '.' && is_digit(rest[1])));
-  if (!begins) return 0;
-  const char* const first = content.data() + at;
-  const auto [last, code] = std::from_chars(first, content.data() + content.size(), value);
-  const auto length = static_cast<std::size_t>(last - first);
-  if (code != std::errc{} || length > longest || !ends_number(content, at + length)) return 0;
-  return static_cast<std::uint32_t>(length);
-}
-
-std::string canonical(const std::string& path) {
-  std::error_code ignored;
-  return files::weakly_canonical(path, ignored).string();
-}
-
-// The folders in which an included file is looked for.
-std::vector<files::path> include_folders(const std::string& including, const std::string& main_file) {
-  std::vector<files::path> folders{files::path(including).parent_path(),
-                                   files::path(main_file).parent_path()};
-  const char* const listed = std::getenv("EVOLVERPATH");
-  std::string_view rest = listed != nullptr ? listed : "";
-  while (!rest.empty()) {
-    const std::size_t colon = std::min(rest.find(':'), rest.size());
-    if (colon > 0) folders.emplace_back(rest.substr(0, colon));
-    rest.remove_prefix(std::min(rest.size(), colon + 1));
-  }
-  return folders;
-}
-
-std::optional<std::string> find_included(const std::string& name, const std::vector<files::path>& folders) {
-  for (const files::path& folder : folders) {
-    const files::path candidate = folder / name;
-    std::error_code ignored;
-    if (files::exists(candidate, ignored)) return candidate.string();
-  }
-  return std::nullopt;
-}
 
 text::SourcePointer read_included(const std::string& path, const Token& name) {
   std::error_code ignored;
@@ -136,13 +36,6 @@ text::SourcePointer read_included(const std::string& path, const Token& name) {
 
 }  // namespace
 
-text::SourcePointer read_text(const std::string& path) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  std::string content = text::read_whole_file(path);
-  if (content.starts_with(byte_order_mark)) content.erase(0, byte_order_mark.size());
-  return text::make_source(path, std::move(content));
-}
-
 void PlainRow::clear() {
   values.clear();
   spots.clear();
@@ -150,7 +43,7 @@ void PlainRow::clear() {
 }
 
 TokenSource::TokenSource(text::SourcePointer file) {
-  std::string path = canonical(file->name);
+  std::string path = canonical_path_of(file->name);
   open(std::move(file), std::move(path), {});
 }
 
@@ -185,6 +78,23 @@ void TokenSource::skip_line() {
       throw;
     } catch (const text::Error&) {
       // One mistake has been found on this line already.
+    }
+  }
+}
+
+void TokenSource::next_line() {
+  skip_line();
+  while (true) {
+    try {
+      while (peek().is(TokenKind::newline)) take();
+      at_line_start_ = true;
+      return;
+    } catch (const Unreadable&) {
+      throw;
+    } catch (const language::Incomplete&) {
+      throw;
+    } catch (const text::Error&) {
+      skip_line();
     }
   }
 }
@@ -262,15 +172,14 @@ void TokenSource::include(const Token& hash) {
     throw Unreadable(name.ends_line() ? hash.place : name.place,
                      "the name of an included file stands in quotes", "write #include \"file\"");
   }
-  const std::vector<files::path> folders =
-      include_folders(files_.back().lexer.source()->name, sources_.front()->name);
-  const std::optional<std::string> path = find_included(name.content, folders);
+  const std::optional<std::string> path =
+      find_included(name.content, files_.back().lexer.source()->name, sources_.front()->name);
   if (!path) {
     throw Unreadable(
         name.place, fmt::format("cannot find the file \"{}\"", name.content),
         "it is looked for beside this file, beside the datafile, and in the folders of EVOLVERPATH");
   }
-  std::string canonical_path = canonical(*path);
+  std::string canonical_path = canonical_path_of(*path);
   refuse_loop(canonical_path, name);
   if (sources_.size() >= most_sources) throw Unreadable(name.place, "too many files are included");
   open(read_included(*path, name), std::move(canonical_path), name.place);

@@ -17,9 +17,6 @@ class Unreadable : public text::Error {
   using text::Error::Error;
 };
 
-// The text of a file, without the mark that some editors put in front. Throws text::Error.
-text::SourcePointer read_text(const std::string& path);
-
 // Plain numbers that stand one after the other on one (logical) line.
 struct PlainRow {
   std::vector<double> values;
@@ -43,6 +40,8 @@ class TokenSource : public language::TokenStream {
   bool at_line_start() const { return at_line_start_; }
   // Up to the line's end, which stays. Bytes that are no token are passed over.
   void skip_line();
+  // To the beginning of the next line that is not blank.
+  void next_line();
 
   // The numbers with which the next line begins, read straight from the bytes; blank lines before it are
   // passed over. Stops in front of whatever may need more than that (a word, an operator, a comment), and

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "datafile/settings.h"
 #include "datafile/title.h"
-#include "datafile/top_section.h"
 #include "datafile/write_commands.h"
 #include "datafile/write_elements.h"
 

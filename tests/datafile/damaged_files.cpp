@@ -68,7 +68,7 @@ TEST_P(DamagedFiles, MayBeChangedAnywhere) {
           changed.insert(at, 1, alphabet[below(alphabet.size())]);
           break;
       }
-      if (changed.empty()) changed = " ";
+      if (changed.empty()) changed.push_back(' ');
     }
     expect_scene_or_error(path, changed);
     if (HasFatalFailure()) return;

@@ -1,0 +1,83 @@
+#include "datafile/settings.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "datafile/top_values.h"
+#include "text/suggest.h"
+
+namespace lamella::datafile {
+
+namespace {
+
+using language::Token;
+
+double number_after(Reading& reading, const Token& word) {
+  return top_value(reading, fmt::format("\"{}\" needs a number", word.text));
+}
+
+void read_scale(Reading& reading, const Token& word) {
+  reading.scene.scale.value = number_after(reading, word);
+  if (!reading.tokens.peek().is_word("fixed")) return;
+  reading.tokens.take();
+  reading.scene.scale.fixed = true;
+}
+
+// The only dimension that there is may be stated.
+void require_dimension(Reading& reading, const Token& word, double wanted, std::string_view feature) {
+  if (number_after(reading, word) != wanted) reading.refuse(word.place, text::lower(word.text), feature);
+}
+
+constexpr std::array<Setting, 9> setting_table = {{
+    {"gravity_constant",
+     [](Reading& r, const Token& word) { r.scene.gravity.constant = number_after(r, word); }},
+    {"scale", read_scale},
+    {"scale_limit", [](Reading& r, const Token& word) { r.scene.scale.limit = number_after(r, word); }},
+    {"total_time", [](Reading& r, const Token& word) { r.scene.time = number_after(r, word); }},
+    {"symmetric_content", [](Reading& r, const Token&) { r.scene.symmetric_content = true; }},
+    {"keep_originals", [](Reading& r, const Token&) { r.keep_originals = true; }},
+    {"keep_macros", [](Reading& r, const Token&) { r.keep_macros = true; }},
+    {"space_dimension",
+     [](Reading& r, const Token& word) {
+       require_dimension(r, word, 3, "only space of three dimensions is");
+     }},
+    {"surface_dimension",
+     [](Reading& r, const Token& word) {
+       require_dimension(r, word, 2, "only films of two dimensions are");
+     }},
+}};
+
+constexpr std::array<SettingParameter, 2> parameter_table = {{
+    {"lamella_keep_volumes", [](const scene::Scene& s) { return s.keep_volumes ? 1.0 : 0.0; },
+     [](scene::Scene& s, double value) { s.keep_volumes = value != 0; }, 1},
+    {"lamella_damping", [](const scene::Scene& s) { return s.damping; },
+     [](scene::Scene& s, double value) { s.damping = value; }, 0},
+}};
+
+}  // namespace
+
+std::span<const Setting> settings() {
+  return setting_table;
+}
+
+const Setting* find_setting(std::string_view word) {
+  const std::string key = text::lower(word);
+  const auto at = std::find_if(setting_table.begin(), setting_table.end(),
+                               [&](const Setting& s) { return s.word == key; });
+  return at == setting_table.end() ? nullptr : &*at;
+}
+
+std::span<const SettingParameter> setting_parameters() {
+  return parameter_table;
+}
+
+const SettingParameter* find_setting_parameter(std::string_view name) {
+  const std::string key = text::lower(name);
+  const auto at = std::find_if(parameter_table.begin(), parameter_table.end(),
+                               [&](const SettingParameter& p) { return p.name == key; });
+  return at == parameter_table.end() ? nullptr : &*at;
+}
+
+}  // namespace lamella::datafile
