@@ -87,9 +87,6 @@ bool FilmEnergy::stale(const scene::Scene& scene) const {
 
 void FilmEnergy::collect_bodies(const scene::Scene& scene) {
   for (const film::Region region : pressurised_) pressures_.push_back(*scene.body(region).fixed_pressure);
-  if (pressurised_.empty()) return;
-  unit_weights_.assign(vertex_count_, 1.0);
-  pressure_pull_.resize(vertex_count_);
 }
 
 void FilmEnergy::collect_tense_edges(const scene::Scene& scene) {
@@ -138,9 +135,8 @@ void FilmEnergy::add_other_gradients(std::span<const Vec3> positions) {
   }
   if (!pressurised_.empty()) {
     pressure_gradient_.update(input_, lines_, open_volume_);
-    std::fill(pressure_pull_.begin(), pressure_pull_.end(), Vec3{});
-    pressure_gradient_.add(unit_weights_, pressures_, -1.0, pressure_pull_);
-    for (std::size_t v = 0; v < vertex_count_; ++v) lines_[v].gradient += pressure_pull_[v];
+    pressure_gradient_.set_multipliers(pressures_);
+    for (std::size_t v = 0; v < vertex_count_; ++v) lines_[v].gradient -= pressure_gradient_.pull(v);
   }
 }
 

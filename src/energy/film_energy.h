@@ -41,6 +41,7 @@ class FilmEnergy {
 
   // Volume gradients of the bodies with a target (row i belongs to region constrained()[i]), at the positions
   // of the last `gradient`.
+  VolumeGradient& volume_gradient() { return constrained_gradient_; }
   const VolumeGradient& volume_gradient() const { return constrained_gradient_; }
   std::span<const film::Region> constrained() const { return constrained_; }
 
@@ -76,8 +77,6 @@ class FilmEnergy {
   std::vector<double> pressures_;  // of pressurised_
   VolumeGradient constrained_gradient_;
   VolumeGradient pressure_gradient_;
-  std::vector<double> unit_weights_;
-  std::vector<Vec3> pressure_pull_;
   double area_ = 0;
 };
 

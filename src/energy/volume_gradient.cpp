@@ -51,7 +51,7 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
   for (const RimEdge& rim : rims) pair_at[rim.from.index] = pair_at[rim.to.index] = mixed;
 
   std::map<film::RegionPair, std::uint32_t, RegionPairOrder> known;
-  pair_of_vertex_.assign(vertices, none);
+  place_of_vertex_.assign(vertices, none);
   std::vector<std::uint32_t> border_of_vertex(vertices, none);
   for (std::uint32_t v = 0; v < vertices; ++v) {
     if (pair_at[v] == mixed) {
@@ -62,8 +62,12 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
       if (pair.high < 0 && pair.low < 0) continue;
       const auto [at, added] = known.try_emplace(pair_at[v], static_cast<std::uint32_t>(pairs_.size()));
       if (added) pairs_.push_back(pair);
-      pair_of_vertex_[v] = at->second;
+      place_of_vertex_[v] = at->second;
     }
+  }
+
+  for (std::size_t b = 0; b < borders_.size(); ++b) {
+    place_of_vertex_[borders_[b].vertex] = static_cast<std::uint32_t>(pairs_.size() + b);
   }
 
   // The rows at each border vertex, then a slot for each.
@@ -174,9 +178,9 @@ void VolumeGradient::gram(std::span<const double> weights, std::span<double> val
     if (pair.entry_mixed >= 0) values[static_cast<std::size_t>(pair.entry_mixed)] -= sum;
     sum = 0;
   };
-  for (std::size_t v = 0; v < pair_of_vertex_.size(); ++v) {
-    const std::uint32_t pair = pair_of_vertex_[v];
-    if (pair == none) continue;
+  for (std::size_t v = 0; v < place_of_vertex_.size(); ++v) {
+    const std::uint32_t pair = place_of_vertex_[v];
+    if (pair >= pairs_.size()) continue;
     if (pair != run) {
       flush();
       run = pair;
@@ -206,9 +210,9 @@ void VolumeGradient::dot(std::span<const double> weights, std::span<const Vec3> 
     if (pairs_[run].low >= 0) result[static_cast<std::size_t>(pairs_[run].low)] -= sum;
     sum = 0;
   };
-  for (std::size_t v = 0; v < pair_of_vertex_.size(); ++v) {
-    const std::uint32_t pair = pair_of_vertex_[v];
-    if (pair == none) continue;
+  for (std::size_t v = 0; v < place_of_vertex_.size(); ++v) {
+    const std::uint32_t pair = place_of_vertex_[v];
+    if (pair >= pairs_.size()) continue;
     if (pair != run) {
       flush();
       run = pair;
@@ -224,23 +228,21 @@ void VolumeGradient::dot(std::span<const double> weights, std::span<const Vec3> 
   }
 }
 
-void VolumeGradient::add(std::span<const double> weights, std::span<const double> multipliers, double factor,
-                         std::span<Vec3> field) const {
-  for (std::size_t v = 0; v < pair_of_vertex_.size(); ++v) {
-    if (pair_of_vertex_[v] == none) continue;
-    const Pair& pair = pairs_[pair_of_vertex_[v]];
-    double difference = 0;
-    if (pair.high >= 0) difference += multipliers[static_cast<std::size_t>(pair.high)];
-    if (pair.low >= 0) difference -= multipliers[static_cast<std::size_t>(pair.low)];
-    field[v] += (factor * weights[v] * difference) * lines_[v].area_vector;
+void VolumeGradient::set_multipliers(std::span<const double> multipliers) {
+  multipliers_.assign(multipliers.begin(), multipliers.end());
+  pair_factor_.assign(pairs_.size(), 0.0);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (pairs_[i].high >= 0) pair_factor_[i] += multipliers[static_cast<std::size_t>(pairs_[i].high)];
+    if (pairs_[i].low >= 0) pair_factor_[i] -= multipliers[static_cast<std::size_t>(pairs_[i].low)];
   }
-  for (const Border& border : borders_) {
-    for (std::uint32_t s = border.first; s < border.last; ++s) {
-      field[border.vertex] +=
-          (factor * weights[border.vertex] * multipliers[static_cast<std::size_t>(slots_[s].row)]) *
-          slots_[s].gradient;
-    }
+}
+
+Vec3 VolumeGradient::border_pull(const Border& border) const {
+  Vec3 sum;
+  for (std::uint32_t s = border.first; s < border.last; ++s) {
+    sum += multipliers_[static_cast<std::size_t>(slots_[s].row)] * slots_[s].gradient;
   }
+  return sum;
 }
 
 }  // namespace lamella::energy

@@ -38,16 +38,22 @@ class VolumeGradient {
   void gram(std::span<const double> weights, std::span<double> values) const;
   // result[i] = sum over vertices of weight * gradient_i . field.
   void dot(std::span<const double> weights, std::span<const Vec3> field, std::span<double> result) const;
-  // field += factor * weight * sum_i multipliers[i] gradient_i.
-  void add(std::span<const double> weights, std::span<const double> multipliers, double factor,
-           std::span<Vec3> field) const;
+  // Holds the multipliers of the rows for calls of `pull`, until the next call.
+  void set_multipliers(std::span<const double> multipliers);
+  // sum_i multipliers[i] gradient_i at one vertex: the force of the pressures there.
+  Vec3 pull(std::size_t vertex) const {
+    const std::uint32_t place = place_of_vertex_[vertex];
+    if (place == none) return {};
+    if (place < pairs_.size()) return pair_factor_[place] * lines_[vertex].area_vector;
+    return border_pull(borders_[place - pairs_.size()]);
+  }
 
   // Calls function(vertex row, row i, gradient) for every nonzero row of every vertex.
   template <class Function>
   void for_each(Function&& function) const {
-    for (std::uint32_t v = 0; v < pair_of_vertex_.size(); ++v) {
-      if (pair_of_vertex_[v] == none) continue;
-      const Pair& pair = pairs_[pair_of_vertex_[v]];
+    for (std::uint32_t v = 0; v < place_of_vertex_.size(); ++v) {
+      if (place_of_vertex_[v] >= pairs_.size()) continue;
+      const Pair& pair = pairs_[place_of_vertex_[v]];
       if (pair.high >= 0) function(v, pair.high, lines_[v].area_vector);
       if (pair.low >= 0) function(v, pair.low, -lines_[v].area_vector);
     }
@@ -90,11 +96,13 @@ class VolumeGradient {
     std::uint32_t to = none;
   };
 
+  Vec3 border_pull(const Border& border) const;
   void find_borders(const film::Film& film, std::span<const int> row_of_region);
   void build_pattern();
 
   int rows_ = 0;
-  std::vector<std::uint32_t> pair_of_vertex_;
+  // A vertex inside a film: its pair. On a border: the number of pairs plus its border. Else none.
+  std::vector<std::uint32_t> place_of_vertex_;
   std::vector<Pair> pairs_;
   std::vector<Border> borders_;
   std::vector<Slot> slots_;
@@ -102,6 +110,8 @@ class VolumeGradient {
   std::vector<Rim> rims_;
   std::vector<GramEntry> pattern_;
   std::vector<int> border_entries_;
+  std::vector<double> pair_factor_;  // multiplier of the high row minus that of the low one
+  std::vector<double> multipliers_;
   std::span<const VertexLine> lines_;
 };
 

@@ -62,18 +62,35 @@ bool Motion::linearise() {
 
 void Motion::kick_and_drift(double dt) {
   const std::span<const energy::VertexLine> lines = terms_.lines();
+  energy::VolumeGradient& volume = terms_.volume_gradient();
+  volume.set_multipliers(pressures_);
+  const bool free = errors_.empty();
   const double kept = std::exp(-scene_.damping * dt);
-  for (std::size_t v = 0; v < x_.size(); ++v) next_v_[v] = v_[v] - (dt * weights_[v]) * lines[v].gradient;
-  if (!errors_.empty()) terms_.volume_gradient().add(weights_, pressures_, dt, next_v_);
+  next_kinetic_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
-    next_v_[v] *= kept;
+    const Vec3 force = free ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
+    next_v_[v] = kept * (v_[v] + (dt * weights_[v]) * force);
     next_x_[v] = x_[v] + dt * next_v_[v];
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
+}
+
+// Adds the impulse of the multipliers along the volume gradients at the start of the step.
+void Motion::correct(double dt) {
+  energy::VolumeGradient& volume = terms_.volume_gradient();
+  volume.set_multipliers(multipliers_);
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    const Vec3 shift = weights_[v] * volume.pull(v);
+    next_x_[v] += shift;
+    next_v_[v] += shift / dt;
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+  }
+  for (std::size_t i = 0; i < errors_.size(); ++i) next_pressures_[i] += multipliers_[i] / (dt * dt);
 }
 
 bool Motion::keep_volumes(double dt) {
   next_pressures_ = pressures_;
-  const energy::VolumeGradient& gradient = terms_.volume_gradient();
   for (int pass = 0; pass < most_volume_passes; ++pass) {
     terms_.value(next_x_);
     double worst = 0;
@@ -86,9 +103,7 @@ bool Motion::keep_volumes(double dt) {
     if (!std::isfinite(worst)) return false;
     if (worst < volume_tolerance) return true;
     gram_.solve(errors_, multipliers_);
-    gradient.add(weights_, multipliers_, 1.0, next_x_);
-    gradient.add(weights_, multipliers_, 1 / dt, next_v_);
-    for (std::size_t i = 0; i < errors_.size(); ++i) next_pressures_[i] += multipliers_[i] / (dt * dt);
+    correct(dt);
     if (worst < last_pass_error) return true;
   }
   return false;
@@ -106,11 +121,9 @@ Ending Motion::step(double dt) {
   if (!sound_) return std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite;
   kick_and_drift(dt);
   if (!errors_.empty() && !keep_volumes(dt)) return Ending::volume_lost;
-  double kinetic = 0;
-  for (std::size_t v = 0; v < x_.size(); ++v) kinetic += 0.5 * masses_[v] * squared_length(next_v_[v]);
   const double energy = terms_.gradient(next_x_);
-  const bool finite = std::isfinite(energy + kinetic);
-  if (!finite || rises_from_nowhere(energy, kinetic)) {
+  const bool finite = std::isfinite(energy + next_kinetic_);
+  if (!finite || rises_from_nowhere(energy, next_kinetic_)) {
     energy_ = terms_.gradient(x_);
     sound_ = linearise();
     return finite ? Ending::stuck : Ending::not_finite;
@@ -119,7 +132,7 @@ Ending Motion::step(double dt) {
   std::swap(v_, next_v_);
   std::swap(pressures_, next_pressures_);
   energy_ = energy;
-  kinetic_ = kinetic;
+  kinetic_ = next_kinetic_;
   scene_.time += dt;
   scene::advance_targets(scene_, scene_.time);
   for (std::size_t i = 0; i < pressures_.size(); ++i)

@@ -43,6 +43,7 @@ class Motion {
  private:
   bool linearise();
   void kick_and_drift(double dt);
+  void correct(double dt);
   bool keep_volumes(double dt);
   bool rises_from_nowhere(double energy, double kinetic) const;
 
@@ -62,6 +63,7 @@ class Motion {
   std::vector<double> next_pressures_;
   double energy_ = 0;
   double kinetic_ = 0;
+  double next_kinetic_ = 0;
   double bound_ = 0;
   bool sound_ = false;
 };

@@ -80,12 +80,16 @@ double Problem::linearise(std::span<const Vec3> x, bool& ok) {
   return energy;
 }
 
-double Problem::descent_direction(std::span<Vec3> direction) const {
+double Problem::descent_direction(std::span<Vec3> direction) {
   const std::span<const energy::VertexLine> lines = energy_.lines();
-  for (std::size_t v = 0; v < direction.size(); ++v) direction[v] = -weights_[v] * lines[v].gradient;
-  if (!targets_.empty()) energy_.volume_gradient().add(weights_, pressures_, 1.0, direction);
+  energy::VolumeGradient& volume = energy_.volume_gradient();
+  volume.set_multipliers(pressures_);
   double squared = 0;
-  for (const Vec3& d : direction) squared += squared_length(d);
+  for (std::size_t v = 0; v < direction.size(); ++v) {
+    const Vec3 force = targets_.empty() ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
+    direction[v] = weights_[v] * force;
+    squared += squared_length(direction[v]);
+  }
   return squared;
 }
 
@@ -94,7 +98,8 @@ void Problem::project(std::span<Vec3> field) {
   if (targets_.empty()) return;
   energy_.volume_gradient().dot(weights_, field, errors_);
   gram_.solve(errors_, multipliers_);
-  energy_.volume_gradient().add(weights_, multipliers_, -1.0, field);
+  energy_.volume_gradient().set_multipliers(multipliers_);
+  for (std::size_t v = 0; v < field.size(); ++v) field[v] -= weights_[v] * energy_.volume_gradient().pull(v);
 }
 
 void Problem::volume_errors(std::span<double> errors) const {
@@ -144,7 +149,8 @@ Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode m
     volume_errors(errors_);
     limit(errors_);
     gram_.solve(errors_, multipliers_);
-    energy_.volume_gradient().add(weights_, multipliers_, 1.0, x);
+    energy_.volume_gradient().set_multipliers(multipliers_);
+    for (std::size_t v = 0; v < x.size(); ++v) x[v] += weights_[v] * energy_.volume_gradient().pull(v);
   }
   return volume_error() < 1e-9 ? Ending::converged : Ending::volume_lost;
 }

@@ -51,7 +51,7 @@ class Problem {
   double linearise(std::span<const Vec3> x, bool& ok);
   // After `linearise`: minus the gradient of energy - sum pressure * volume, zero at fixed vertices.
   // `direction` has a row a vertex. Returns its squared length.
-  double descent_direction(std::span<Vec3> direction) const;
+  double descent_direction(std::span<Vec3> direction);
   std::span<const double> pressures() const { return pressures_; }
   // Takes out of a field what changes volumes to first order, and what would move fixed vertices.
   void project(std::span<Vec3> field);
