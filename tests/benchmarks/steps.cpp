@@ -1,10 +1,10 @@
 // What a step costs, in nanoseconds a facet: loading, refining, sweeps, relaxing, evolving.
 //
 //   cmake --preset bench && cmake --build --preset bench && build-bench/benchmarks
-#include <benchmark/benchmark.h>
-
 #include <filesystem>
 #include <map>
+
+#include <benchmark/benchmark.h>
 
 #include "datafile/read.h"
 #include "datafile/write.h"
@@ -49,7 +49,8 @@ const Scene& double_bubble(long facets) {
 // The same film with no region on either side: what a scene without bodies pays.
 Scene without_bodies(const Scene& with) {
   Scene scene = with;
-  for (std::uint32_t t = 0; t < scene.film.triangle_rows(); ++t) scene.film.set_regions(film::Triangle(t), {});
+  for (std::uint32_t t = 0; t < scene.film.triangle_rows(); ++t)
+    scene.film.set_regions(film::Triangle(t), {});
   scene.bodies.clear();
   return scene;
 }
@@ -57,8 +58,8 @@ Scene without_bodies(const Scene& with) {
 void per_facet(benchmark::State& state, const Scene& scene) {
   const double facets = scene.film.triangle_count();
   state.counters["facets"] = facets;
-  state.counters["ns/facet"] = benchmark::Counter(facets * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
-                                                                     benchmark::Counter::kInvert);
+  state.counters["ns/facet"] = benchmark::Counter(
+      facets * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void sizes(benchmark::internal::Benchmark* b) {
@@ -125,12 +126,13 @@ void relax_iteration_lbfgs(benchmark::State& state) {
   for (auto _ : state) {
     Scene copy = scene;
     solve::Problem problem(copy);
-    benchmark::DoNotOptimize(solve::lbfgs(problem, copy, copy.film.edit_positions(), options, monitor).energy);
+    benchmark::DoNotOptimize(
+        solve::lbfgs(problem, copy, copy.film.edit_positions(), options, monitor).energy);
   }
   const double facets = scene.film.triangle_count();
   state.counters["facets"] = facets;
-  state.counters["ns/facet"] = benchmark::Counter(20 * facets * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
-                                                                          benchmark::Counter::kInvert);
+  state.counters["ns/facet"] = benchmark::Counter(
+      20 * facets * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(relax_iteration_lbfgs)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 

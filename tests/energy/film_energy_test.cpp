@@ -13,9 +13,12 @@ namespace {
 using film::ElementKind;
 using scene::Scene;
 
-std::vector<Vec3> positions_of(const Scene& scene) { return {scene.film.positions().begin(), scene.film.positions().end()}; }
+std::vector<Vec3> positions_of(const Scene& scene) {
+  return {scene.film.positions().begin(), scene.film.positions().end()};
+}
 
-// A foam with everything an energy can have: tensions of facets and edges, heavy bodies, a prescribed pressure.
+// A foam with everything an energy can have: tensions of facets and edges, heavy bodies, a prescribed
+// pressure.
 Scene rich_foam(unsigned seed) {
   Scene scene = test::random_foam(seed);
   std::mt19937 random(seed + 100);
@@ -41,7 +44,8 @@ void expect_gradient_by_differences(const Scene& scene) {
   std::vector<Vec3> g;
   energy.gradient(x);
   for (const VertexLine& line : energy.lines()) g.push_back(line.gradient);
-  const auto d = test::gradient_by_differences(x, [&](const std::vector<Vec3>& y) { return energy.value(y); });
+  const auto d =
+      test::gradient_by_differences(x, [&](const std::vector<Vec3>& y) { return energy.value(y); });
   for (std::size_t v = 0; v < x.size(); ++v) EXPECT_LT(length(g[v] - d[v]), 2e-7) << "vertex " << v;
 }
 
@@ -96,7 +100,8 @@ TEST(FilmEnergy, GramDotAndPullAgreeWithTheRows) {
   VolumeGradient& gradient = energy.volume_gradient();
   const std::size_t rows = energy.constrained().size();
   std::vector<std::vector<Vec3>> g(rows, std::vector<Vec3>(x.size()));
-  gradient.for_each([&](std::uint32_t v, int row, const Vec3& value) { g[static_cast<std::size_t>(row)][v] += value; });
+  gradient.for_each(
+      [&](std::uint32_t v, int row, const Vec3& value) { g[static_cast<std::size_t>(row)][v] += value; });
   std::vector<double> weights(x.size());
   for (std::size_t v = 0; v < x.size(); ++v) weights[v] = 0.5 + 0.01 * static_cast<double>(v % 17);
 
@@ -106,7 +111,8 @@ TEST(FilmEnergy, GramDotAndPullAgreeWithTheRows) {
     const GramEntry entry = gradient.pattern()[i];
     double sum = 0;
     for (std::size_t v = 0; v < x.size(); ++v) {
-      sum += weights[v] * dot(g[static_cast<std::size_t>(entry.row)][v], g[static_cast<std::size_t>(entry.column)][v]);
+      sum += weights[v] *
+             dot(g[static_cast<std::size_t>(entry.row)][v], g[static_cast<std::size_t>(entry.column)][v]);
     }
     EXPECT_NEAR(values[i], sum, 1e-13);
   }
@@ -156,8 +162,8 @@ TEST(FilmEnergy, FarAwayTheVolumeKeepsItsDigits) {
   EXPECT_DOUBLE_EQ(measure(scene).volumes[1], 1);
 }
 
-// The cells' volumes are those of their triangles summed by hand, whatever the number of triangles left over for the
-// last batch.
+// The cells' volumes are those of their triangles summed by hand, whatever the number of triangles left over
+// for the last batch.
 TEST(FilmEnergy, SweepAgreesWithAPlainSum) {
   for (unsigned seed = 0; seed < 8; ++seed) {
     const Scene scene = rich_foam(seed);

@@ -9,12 +9,14 @@ namespace {
 
 using test::Builder;
 
-// The cone over the edges of a regular tetrahedron: six films, four borders, one quad point, all angles exact.
+// The cone over the edges of a regular tetrahedron: six films, four borders, one quad point, all angles
+// exact.
 film::Film tetrahedral_cone() {
   Builder b;
   const film::Vertex centre = b.vertex({0, 0, 0});
   std::vector<film::Vertex> v;
-  for (const film::Vec3& p : {film::Vec3{1, 1, 1}, film::Vec3{1, -1, -1}, film::Vec3{-1, 1, -1}, film::Vec3{-1, -1, 1}}) {
+  for (const film::Vec3& p :
+       {film::Vec3{1, 1, 1}, film::Vec3{1, -1, -1}, film::Vec3{-1, 1, -1}, film::Vec3{-1, -1, 1}}) {
     v.push_back(b.vertex(p));
   }
   for (std::size_t i = 0; i < 4; ++i) {

@@ -1,8 +1,8 @@
 #include "energy/triangle.h"
 
-#include <gtest/gtest.h>
-
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "energy/gravity.h"
 #include "energy/sweep.h"
@@ -25,7 +25,8 @@ void expect_gradient(Value&& value, Gradient&& gradient) {
     const std::vector<Vec3> p = random_triangle(random);
     if (triangle_area(p[0], p[1], p[2]) < 0.05) continue;
     const auto g = gradient(p[0], p[1], p[2]);
-    const auto d = test::gradient_by_differences(p, [&](const std::vector<Vec3>& x) { return value(x[0], x[1], x[2]); });
+    const auto d =
+        test::gradient_by_differences(p, [&](const std::vector<Vec3>& x) { return value(x[0], x[1], x[2]); });
     for (std::size_t k = 0; k < 3; ++k) EXPECT_LT(length(g[k] - d[k]), 1e-7) << "round " << round;
   }
 }
@@ -34,7 +35,9 @@ TEST(Triangle, AreaOfARightTriangle) {
   EXPECT_DOUBLE_EQ(triangle_area({1, 1, 1}, {4, 1, 1}, {1, 5, 1}), 6);
 }
 
-TEST(Triangle, AreaGradientAgreesWithDifferences) { expect_gradient(triangle_area, triangle_area_gradient); }
+TEST(Triangle, AreaGradientAgreesWithDifferences) {
+  expect_gradient(triangle_area, triangle_area_gradient);
+}
 
 TEST(Triangle, AreaGradientKeepsPlaceAndTurn) {
   std::mt19937 random(3);
@@ -44,7 +47,8 @@ TEST(Triangle, AreaGradientKeepsPlaceAndTurn) {
     EXPECT_LT(length(g[0] + g[1] + g[2]), 1e-14);
     EXPECT_LT(length(cross(p[0], g[0]) + cross(p[1], g[1]) + cross(p[2], g[2])), 1e-14);
     // Euler: area is homogeneous of degree two.
-    EXPECT_NEAR(dot(p[0], g[0]) + dot(p[1], g[1]) + dot(p[2], g[2]), 2 * triangle_area(p[0], p[1], p[2]), 1e-14);
+    EXPECT_NEAR(dot(p[0], g[0]) + dot(p[1], g[1]) + dot(p[2], g[2]), 2 * triangle_area(p[0], p[1], p[2]),
+                1e-14);
   }
 }
 
@@ -53,13 +57,16 @@ TEST(Triangle, NoAreaNoGradient) {
 }
 
 TEST(Triangle, VolumeGradientAgreesWithDifferences) {
-  expect_gradient(sixfold_volume, [](const Vec3& a, const Vec3& b, const Vec3& c) { return sixfold_volume_gradient(a, b, c); });
+  expect_gradient(sixfold_volume, [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return sixfold_volume_gradient(a, b, c);
+  });
   EXPECT_DOUBLE_EQ(sixfold_volume({1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 1);
 }
 
 TEST(Gravity, HeightIntegralAgreesWithDifferencesAndAPrism) {
   expect_gradient(height_integral, height_integral_gradient);
-  // Top minus bottom of a prism over the triangle (0,0)(1,0)(0,1) between z = 1 and z = 3: integral of z is 1/2 * (9-1)/2.
+  // Top minus bottom of a prism over the triangle (0,0)(1,0)(0,1) between z = 1 and z = 3: integral of z is
+  // 1/2 * (9-1)/2.
   const double top = height_integral({0, 0, 3}, {1, 0, 3}, {0, 1, 3});
   const double bottom = height_integral({0, 0, 1}, {0, 1, 1}, {1, 0, 1});
   EXPECT_DOUBLE_EQ(top + bottom, 2);

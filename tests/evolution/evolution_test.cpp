@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "energy/measure.h"
 #include "energy/mesh_quality.h"
@@ -45,7 +45,9 @@ void set_velocities(Scene& scene, auto&& velocity) {
 
 TEST(Evolve, KeepsVolumeEnergyAndMomentum) {
   Scene scene = bubble(3);
-  set_velocities(scene, [](const Vec3& p) { return Vec3{0.1 + 0.2 * (p.x - 0.5), 0.05, -0.2 * (p.z - 0.5)}; });
+  set_velocities(scene, [](const Vec3& p) {
+    return Vec3{0.1 + 0.2 * (p.x - 0.5), 0.05, -0.2 * (p.z - 0.5)};
+  });
   scene::Monitor monitor;
   evolve(scene, 1, {}, monitor);
   const EvolveReport first = evolve(scene, 0, {}, monitor);
@@ -73,8 +75,8 @@ TEST(Evolve, ARestingBubbleRests) {
   for (std::size_t v = 0; v < at.size(); ++v) EXPECT_LT(length(scene.film.positions()[v] - at[v]), 1e-5);
 }
 
-// omega^2 = sigma (l-1)(l+2)/R^2: the quadrupole of a bubble, by its energy's period (a quarter of a period from
-// the stretched shape to the round one).
+// omega^2 = sigma (l-1)(l+2)/R^2: the quadrupole of a bubble, by its energy's period (a quarter of a period
+// from the stretched shape to the round one).
 TEST(Evolve, QuadrupoleOscillatesAtItsFrequency) {
   Scene scene = bubble(3);
   const double radius = std::cbrt(3 / (4 * M_PI));
@@ -93,7 +95,8 @@ TEST(Evolve, QuadrupoleOscillatesAtItsFrequency) {
   };
   scene::Monitor monitor;
   evolve(scene, 1, {}, monitor);
-  // The offset of the relaxed mesh itself is the mean over a period; find two crossings through it by secants.
+  // The offset of the relaxed mesh itself is the mean over a period; find two crossings through it by
+  // secants.
   const double period = 2 * M_PI * radius / 2;  // omega = 2/R for l = 2
   std::vector<std::pair<double, double>> samples;
   const StepSize step{period / 2000, 0.5};
@@ -109,7 +112,8 @@ TEST(Evolve, QuadrupoleOscillatesAtItsFrequency) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const double a = samples[i - 1].second - mean;
     const double b = samples[i].second - mean;
-    if (a * b <= 0 && a != b) crossings.push_back(samples[i - 1].first + (samples[i].first - samples[i - 1].first) * a / (a - b));
+    if (a * b <= 0 && a != b)
+      crossings.push_back(samples[i - 1].first + (samples[i].first - samples[i - 1].first) * a / (a - b));
   }
   ASSERT_GE(crossings.size(), 3U);
   EXPECT_NEAR((crossings[2] - crossings[0]) / period, 1, 0.03);
@@ -172,7 +176,8 @@ TEST(Evolve, FixedVerticesStayAndOpenScenesNeedNoVolumes) {
   scene::Monitor monitor;
   evolve(scene, 20, {}, monitor);
   const auto fixed = scene.film.columns(ElementKind::vertex).flags("fixed");
-  for (std::size_t v = 0; v < before.size(); ++v) EXPECT_EQ(fixed[v] != 0, scene.film.positions()[v] == before[v]);
+  for (std::size_t v = 0; v < before.size(); ++v)
+    EXPECT_EQ(fixed[v] != 0, scene.film.positions()[v] == before[v]);
 }
 
 TEST(Relax, ConvergesWithAFitMeshAndExactVolume) {
@@ -184,7 +189,7 @@ TEST(Relax, ConvergesWithAFitMeshAndExactVolume) {
     EXPECT_EQ(report.ending, Ending::converged);
     EXPECT_GT(energy::smallest_angle(scene.film) * 180 / M_PI, 20);
     EXPECT_NEAR(energy::measure(scene).volumes[1], 1, 1e-12);
-    EXPECT_LT(report.energy / 4.835975862049 - 1, 0.35 / std::pow(4, level) );
+    EXPECT_LT(report.energy / 4.835975862049 - 1, 0.35 / std::pow(4, level));
     EXPECT_TRUE(film::check(scene.film).empty());
     EXPECT_NEAR(scene.bodies[0].pressure, 2 / std::cbrt(3 / (4 * M_PI)), 0.05);
   }
@@ -194,13 +199,15 @@ TEST(Relax, RunsUnlabelledFoamsWithoutHarm) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     Scene scene = test::random_foam(seed, 3, 2, 0.1);
     const energy::Measures before = energy::measure(scene);
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) scene.bodies[b].target_volume = before.volumes[b + 1];
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+      scene.bodies[b].target_volume = before.volumes[b + 1];
     scene::Monitor monitor;
     RelaxOptions few;
     few.most_iterations = 60;
     const RelaxReport report = relax(scene, few, monitor);
     EXPECT_LT(report.energy, before.energy);
-    EXPECT_TRUE(film::check(scene.film).empty() || film::check(scene.film)[0].find("geometric") != std::string::npos);
+    EXPECT_TRUE(film::check(scene.film).empty() ||
+                film::check(scene.film)[0].find("geometric") != std::string::npos);
     for (std::size_t b = 1; b < before.volumes.size(); ++b) {
       EXPECT_NEAR(energy::measure(scene).volumes[b], before.volumes[b], 1e-10);
     }

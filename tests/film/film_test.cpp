@@ -1,8 +1,8 @@
 #include "film/film.h"
 
-#include <gtest/gtest.h>
-
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "film/check.h"
 #include "film/order.h"
@@ -169,7 +169,8 @@ TEST(Film, SpatialOrderKeepsEverythingButRows) {
   Film& film = scene.film;
   Column heat = real_column("heat");
   film.columns(ElementKind::vertex).add(heat);
-  for (std::uint32_t v = 0; v < film.vertex_rows(); ++v) film.columns(ElementKind::vertex).edit("heat")->set(v, 0, film.position(Vertex(v)).x);
+  for (std::uint32_t v = 0; v < film.vertex_rows(); ++v)
+    film.columns(ElementKind::vertex).edit("heat")->set(v, 0, film.position(Vertex(v)).x);
   // Shuffle, then order.
   std::mt19937 random(2);
   const auto shuffled = [&](std::uint32_t rows) {
@@ -213,7 +214,8 @@ TEST(Film, CopiesShareUntilEdited) {
   EXPECT_EQ(copy.connectivity_revision(), scene.film.connectivity_revision());
 }
 
-// The promise of the data model: 100 bytes a triangle on a closed film, where there are 1.5 edges and half a vertex each.
+// The promise of the data model: 100 bytes a triangle on a closed film, where there are 1.5 edges and half a
+// vertex each.
 TEST(Film, TakesAtMostAHundredBytesATriangle) {
   Builder b;
   const std::uint32_t n = 60;

@@ -1,12 +1,12 @@
 // The arrows between the folders of src point down only: what CMake links is what the files include.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 #include <string>
+
+#include <gtest/gtest.h>
 
 namespace {
 
@@ -60,7 +60,8 @@ TEST(Layout, EveryCommandHasATestAndAPage) {
   for (const fs::directory_entry& entry : fs::directory_iterator(root / "commands")) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string name = entry.path().stem().string();
-    EXPECT_TRUE(fs::exists(root / "manual/commands" / (name + ".md"))) << "commands/" << name << ".cpp has no page";
+    EXPECT_TRUE(fs::exists(root / "manual/commands" / (name + ".md")))
+        << "commands/" << name << ".cpp has no page";
     bool tested = false;
     for (const fs::directory_entry& test : fs::directory_iterator(root / "tests/commands")) {
       tested = tested || test.path().stem() == name;

@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "energy/measure.h"
 #include "solve/descent.h"
@@ -31,7 +31,8 @@ TEST(GramSolver, DenseAndSparseSolveTheSameSystem) {
     std::uniform_real_distribution<double> u(-1, 1);
     std::vector<energy::GramEntry> pattern;
     std::vector<double> values;
-    std::vector<std::vector<double>> full(static_cast<std::size_t>(rows), std::vector<double>(static_cast<std::size_t>(rows)));
+    std::vector<std::vector<double>> full(static_cast<std::size_t>(rows),
+                                          std::vector<double>(static_cast<std::size_t>(rows)));
     for (int i = 0; i < rows; ++i) {
       for (int j = std::max(0, i - 3); j <= i; ++j) {
         pattern.push_back({i, j});
@@ -60,7 +61,8 @@ TEST(GramSolver, RefusesADependentSystem) {
   EXPECT_TRUE(solver.factorise(std::vector<double>{1, 0, 0}));  // the second body cannot be moved at all
 }
 
-// L x is the gradient of the film's area (times tension), so the Laplacian is tested against the energy itself.
+// L x is the gradient of the film's area (times tension), so the Laplacian is tested against the energy
+// itself.
 TEST(Laplacian, SolvesForWhatTheGradientIs) {
   Scene scene = test::square_film(8);
   test::jitter(scene.film, 3, 0.01);
@@ -72,7 +74,8 @@ TEST(Laplacian, SolvesForWhatTheGradientIs) {
   Laplacian laplacian(scene, weights);
   const std::vector<Vec3> x(scene.film.positions().begin(), scene.film.positions().end());
   ASSERT_TRUE(laplacian.factorise(x));
-  // For harmonic extension: minus the gradient at a state whose free vertices are lifted must be solved by the lift.
+  // For harmonic extension: minus the gradient at a state whose free vertices are lifted must be solved by
+  // the lift.
   energy::FilmEnergy energy(scene);
   std::vector<Vec3> lifted = x;
   for (std::size_t v = 0; v < x.size(); ++v) {
@@ -107,7 +110,8 @@ TEST(Problem, RestoresVolumesToRounding) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     Scene scene = test::random_foam(seed);
     const energy::Measures before = energy::measure(scene);
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) scene.bodies[b].target_volume = before.volumes[b + 1] * 1.05;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+      scene.bodies[b].target_volume = before.volumes[b + 1] * 1.05;
     Problem problem(scene);
     bool ok = false;
     problem.linearise(scene.film.positions(), ok);
@@ -169,7 +173,8 @@ TEST(Descent, FixedVerticesStay) {
   double scale = 0;
   for (int i = 0; i < 5; ++i) descent.step(scene.film.edit_positions(), scale, false, HUGE_VAL);
   const auto fixed = scene.film.columns(film::ElementKind::vertex).flags("fixed");
-  for (std::size_t v = 0; v < before.size(); ++v) EXPECT_EQ(fixed[v] != 0, scene.film.positions()[v] == before[v]);
+  for (std::size_t v = 0; v < before.size(); ++v)
+    EXPECT_EQ(fixed[v] != 0, scene.film.positions()[v] == before[v]);
 }
 
 TEST(Descent, AnExactMinimumIsLeftAlone) {
@@ -180,7 +185,8 @@ TEST(Descent, AnExactMinimumIsLeftAlone) {
   double scale = 0.1;
   const DescentStep step = descent.step(scene.film.edit_positions(), scale, false, HUGE_VAL);
   EXPECT_NEAR(step.energy, 1, 1e-14);
-  for (std::size_t v = 0; v < before.size(); ++v) EXPECT_LT(length(scene.film.positions()[v] - before[v]), 1e-14);
+  for (std::size_t v = 0; v < before.size(); ++v)
+    EXPECT_LT(length(scene.film.positions()[v] - before[v]), 1e-14);
 }
 
 // A scale far too large with the search switched off blows up; positions must come back.
@@ -202,7 +208,7 @@ TEST(Freedom, LeavesNormalsInsideSquaresOnLinesAllAtCorners) {
   freedom.renew(scene.film.positions());
   std::vector<Vec3> field(scene.film.vertex_rows(), Vec3{1, 2, 3});
   freedom.restrict(field);
-  EXPECT_EQ(field[2 * 5 + 2], (Vec3{0, 0, 3}));   // inside
+  EXPECT_EQ(field[2 * 5 + 2], (Vec3{0, 0, 3}));        // inside
   EXPECT_LT(length(field[2] - Vec3{1, 0, 3}), 1e-15);  // on the rim along y
   Freedom full(scene.film, MotionKind::full);
   full.renew(scene.film.positions());
@@ -211,7 +217,8 @@ TEST(Freedom, LeavesNormalsInsideSquaresOnLinesAllAtCorners) {
   EXPECT_EQ(same[12], (Vec3{1, 2, 3}));
 }
 
-// The sphere of volume 1 from a cube: the discrete minimum lies above the exact area by the mesh's second order.
+// The sphere of volume 1 from a cube: the discrete minimum lies above the exact area by the mesh's second
+// order.
 TEST(Lbfgs, CubeBecomesASphere) {
   scene::Monitor monitor;
   double last_error = 0;

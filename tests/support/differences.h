@@ -9,9 +9,9 @@
 namespace lamella::test {
 
 // Central differences of fourth order of a function of positions.
-inline std::vector<film::Vec3> gradient_by_differences(std::vector<film::Vec3> x,
-                                                       const std::function<double(const std::vector<film::Vec3>&)>& f,
-                                                       double h = 1e-3) {
+inline std::vector<film::Vec3> gradient_by_differences(
+    std::vector<film::Vec3> x, const std::function<double(const std::vector<film::Vec3>&)>& f,
+    double h = 1e-3) {
   std::vector<film::Vec3> g(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {

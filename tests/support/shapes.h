@@ -54,7 +54,8 @@ inline scene::Scene cube(double side = 1, const Vec3& corner = {}) {
   for (int i = 0; i < 8; ++i) {
     v.push_back(b.vertex(corner + side * Vec3{double(i & 1), double((i >> 1) & 1), double((i >> 2) & 1)}));
   }
-  const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   for (const auto& f : faces) {
     Vec3 centre;
     for (const int i : f) centre += 0.25 * b.film.position(v[std::size_t(i)]);
@@ -84,7 +85,8 @@ inline scene::Scene square_film(int n, double side = 1) {
       b.triangle(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
   }
-  film::Column& fixed = b.film.columns(film::ElementKind::vertex).add(film::flag_column("fixed", film::Inheritance::New::parent));
+  film::Column& fixed = b.film.columns(film::ElementKind::vertex)
+                            .add(film::flag_column("fixed", film::Inheritance::New::parent));
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= n; ++j) {
       if (i == 0 || j == 0 || i == n || j == n) fixed.set(at(i, j).index, 0, 1);
@@ -95,9 +97,9 @@ inline scene::Scene square_film(int n, double side = 1) {
   return scene;
 }
 
-// A foam of cells on a cubic grid: each of n^3 cells belongs to a random region of 0..regions, and films stand where
-// neighbours differ. Vertices are moved at random by up to `jitter` cell sides. Borders of three and four films,
-// touching edges and isolated contacts all occur.
+// A foam of cells on a cubic grid: each of n^3 cells belongs to a random region of 0..regions, and films
+// stand where neighbours differ. Vertices are moved at random by up to `jitter` cell sides. Borders of three
+// and four films, touching edges and isolated contacts all occur.
 inline scene::Scene random_foam(unsigned seed, int n = 3, std::uint32_t regions = 4, double jitter = 0.15) {
   std::mt19937 random(seed);
   std::uniform_int_distribution<std::uint32_t> label(0, regions);

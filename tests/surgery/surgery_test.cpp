@@ -31,7 +31,8 @@ void expect_sound(const Film& film, const char* after) {
 void expect_same_measures(const Scene& scene, const energy::Measures& before) {
   const energy::Measures after = energy::measure(scene);
   EXPECT_NEAR(after.area, before.area, 1e-12 * before.area);
-  for (std::size_t r = 1; r < before.volumes.size(); ++r) EXPECT_NEAR(after.volumes[r], before.volumes[r], 1e-12);
+  for (std::size_t r = 1; r < before.volumes.size(); ++r)
+    EXPECT_NEAR(after.volumes[r], before.volumes[r], 1e-12);
 }
 
 TEST(Refine, CutsIntoFourAndKeepsAreaVolumeAndLabels) {
@@ -52,7 +53,8 @@ TEST(Refine, CutsIntoFourAndKeepsAreaVolumeAndLabels) {
   }
 }
 
-// The numbering of the elder program, read off its listing of a refined triangle with edges 1 (1-2), 2 (2-3), 3 (3-1).
+// The numbering of the elder program, read off its listing of a refined triangle with edges 1 (1-2), 2 (2-3),
+// 3 (3-1).
 TEST(Refine, NumbersLikeEvolver) {
   test::Builder b;
   const Vertex p = b.vertex({0, 0, 0});
@@ -182,7 +184,8 @@ TEST(Flip, TwiceIsTheSameFilmWithBothOrientations) {
     const Vertex r = b.vertex({0.4, 1, 0});
     const Vertex w = b.vertex({0.5, -1, 0.1});
     b.triangle(p, q, r, {film::Region{2}, film::Region{1}});
-    along ? b.triangle(p, q, w, {film::Region{1}, film::Region{2}}) : b.triangle(q, p, w, {film::Region{2}, film::Region{1}});
+    along ? b.triangle(p, q, w, {film::Region{1}, film::Region{2}})
+          : b.triangle(q, p, w, {film::Region{2}, film::Region{1}});
     b.triangle(r, q, b.vertex({2, 2, 0}), {film::Region{2}, film::Region{1}});
     const Edge e = b.edge(p, q).edge();
     auto d = flippable(b.film, e);
@@ -193,7 +196,9 @@ TEST(Flip, TwiceIsTheSameFilmWithBothOrientations) {
     EXPECT_FALSE(b.film.find_edge(p, q).valid());
     for (std::uint32_t t = 0; t < 2; ++t) {
       const auto& c = b.film.corners(Triangle(t));
-      EXPECT_GT(energy::double_area_vector(b.film.position(c[0]), b.film.position(c[1]), b.film.position(c[2])).z, 0);
+      EXPECT_GT(
+          energy::double_area_vector(b.film.position(c[0]), b.film.position(c[1]), b.film.position(c[2])).z,
+          0);
       EXPECT_EQ(b.film.regions(Triangle(t)), (film::RegionPair{film::Region{2}, film::Region{1}}));
     }
     d = flippable(b.film, e);
@@ -215,7 +220,8 @@ TEST(Flip, NeverAcrossABorderOrRimOrLabel) {
   }
   Scene cube = test::cube();
   cube.film.set_regions(Triangle(0U), {film::Region{0}, film::Region{0}});
-  for (const film::SignedEdge edge : cube.film.edges(Triangle(0U))) EXPECT_FALSE(flippable(cube.film, edge.edge()).has_value());
+  for (const film::SignedEdge edge : cube.film.edges(Triangle(0U)))
+    EXPECT_FALSE(flippable(cube.film, edge.edge()).has_value());
 }
 
 TEST(Equiangulate, MakesAFlatFilmDelaunay) {
@@ -258,7 +264,8 @@ TEST(Average, KeepsFlatFilmsFlatAndFixedVerticesFixed) {
     double worst = 4;
     for (std::uint32_t t = 0; t < scene.film.triangle_rows(); ++t) {
       const auto& c = scene.film.corners(Triangle(t));
-      worst = std::min(worst, energy::smallest_angle(scene.film.position(c[0]), scene.film.position(c[1]), scene.film.position(c[2])));
+      worst = std::min(worst, energy::smallest_angle(scene.film.position(c[0]), scene.film.position(c[1]),
+                                                     scene.film.position(c[2])));
     }
     return worst;
   };
@@ -297,10 +304,17 @@ TEST(Upkeep, RandomSequencesKeepEveryInvariant) {
     std::mt19937 random(seed);
     for (int step = 0; step < 4; ++step) {
       switch (random() % 4) {
-        case 0: refine(scene.film); break;
-        case 1: equiangulate(scene.film); break;
-        case 2: average_vertices(scene.film); break;
-        default: split_edge(scene.film, Edge(static_cast<std::uint32_t>(random() % scene.film.edge_rows())));
+        case 0:
+          refine(scene.film);
+          break;
+        case 1:
+          equiangulate(scene.film);
+          break;
+        case 2:
+          average_vertices(scene.film);
+          break;
+        default:
+          split_edge(scene.film, Edge(static_cast<std::uint32_t>(random() % scene.film.edge_rows())));
       }
       const auto found = check(scene.film);
       ASSERT_TRUE(found.empty()) << "seed " << seed << ", step " << step << ": " << found[0];
