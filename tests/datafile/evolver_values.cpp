@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -44,43 +45,54 @@ std::vector<Row> evolver_rows() {
   return rows;
 }
 
-class EvolverValues : public testing::TestWithParam<Row> {};
+bool is_example(const Row& row) {
+  return files::path(row.file).is_absolute();
+}
 
-TEST_P(EvolverValues, AreOurs) {
-  const Row& row = GetParam();
-  const files::path path = files::path(LAMELLA_SOURCE_DIR) / row.file;  // absolute rows stay what they are
-  if (!files::exists(path)) GTEST_SKIP() << "the package evolver-doc is not installed";
-  datafile::ReadResult result;
+// Nothing where the file needs what is not supported.
+std::optional<scene::Scene> load(const Row& row) {
   try {
-    result = datafile::read_datafile(path);
+    return datafile::read_datafile((files::path(LAMELLA_SOURCE_DIR) / row.file).string()).scene;
   } catch (const text::Error& error) {
-    if (!files::path(row.file).is_absolute()) FAIL() << error.what();
     for (const text::Diagnostic& diagnostic : error.diagnostics()) {
-      EXPECT_NE(diagnostic.message.find("not supported yet"), std::string::npos) << diagnostic.message;
+      EXPECT_NE(diagnostic.message.find("not supported yet"), std::string::npos) << error.what();
     }
-    GTEST_SKIP() << error.diagnostics().front().message;
+    EXPECT_TRUE(is_example(row)) << error.what();
+    return std::nullopt;
   }
-  const scene::Scene& scene = result.scene;
-  const std::vector<std::uint32_t> counts{scene.film.vertex_count(), scene.film.edge_count(),
-                                          scene.film.triangle_count(), body_count(scene)};
+}
+
+// Whether the file could be compared.
+bool check_values(const Row& row) {
+  SCOPED_TRACE(row.file);
+  const std::optional<scene::Scene> scene = load(row);
+  if (!scene) return false;
+  const std::vector<std::uint32_t> counts{scene->film.vertex_count(), scene->film.edge_count(),
+                                          scene->film.triangle_count(), body_count(*scene)};
   EXPECT_EQ(counts, row.counts);
-  EXPECT_NEAR(area(scene), row.area, 1e-12 * row.area);
+  EXPECT_NEAR(area(*scene), row.area, 1e-12 * row.area);
   for (std::size_t i = 0; i < row.volumes.size(); ++i) {
-    EXPECT_NEAR(volume(scene, {static_cast<std::uint32_t>(i + 1)}), row.volumes[i],
+    EXPECT_NEAR(volume(*scene, {static_cast<std::uint32_t>(i + 1)}), row.volumes[i],
                 1e-12 * std::max(1e-3, std::abs(row.volumes[i])));
   }
+  return true;
 }
 
-std::string test_name(const testing::TestParamInfo<Row>& info) {
-  const files::path path = info.param.file;
-  std::string name = path.parent_path().filename().string() + "_" + path.stem().string();
-  for (char& c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+TEST(EvolverValues, OfOurDatafilesAreOurs) {
+  int compared = 0;
+  for (const Row& row : evolver_rows()) compared += !is_example(row) && check_values(row) ? 1 : 0;
+  EXPECT_GE(compared, 60);
+}
+
+TEST(EvolverValues, OfItsExamplesAreOurs) {
+  if (!files::exists("/usr/share/doc/evolver/examples/cube.fe"))
+    GTEST_SKIP() << "evolver-doc is not installed";
+  int compared = 0;
+  for (const Row& row : evolver_rows()) {
+    if (is_example(row) && files::exists(row.file)) compared += check_values(row) ? 1 : 0;
   }
-  return name;
+  EXPECT_GE(compared, 3);
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, EvolverValues, testing::ValuesIn(evolver_rows()), test_name);
 
 }  // namespace
 
