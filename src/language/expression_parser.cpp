@@ -403,6 +403,11 @@ bool ExpressionParser::at_elements() {
   return (local != nullptr && local->element) || element_kind(token.text);
 }
 
+bool ExpressionParser::at_attribute() {
+  const std::size_t end = path_end(0);
+  return end > 0 && tokens_.peek(end).is_symbol(".");
+}
+
 ElementPath ExpressionParser::element() {
   if (!at_elements()) unexpected("an element such as vertex[3]");
   const Token first = tokens_.take();

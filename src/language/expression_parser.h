@@ -41,6 +41,8 @@ class ExpressionParser {
 
   // Whether the next token begins an element or a generator of elements.
   bool at_elements();
+  // Whether an attribute of an element comes next, as in edge[5].length; not edge[5] alone.
+  bool at_attribute();
   ElementPath element();
   // Declares the element in turn (with its name, if one follows) in the scope; the caller forgets it
   // (LocalNames). A word that `attribute_follows` is no name: `set vertex x 3`.

@@ -139,7 +139,7 @@ class ArgumentParser {
       case ArgumentKind::number:
       case ArgumentKind::count:
         if (!argument.word_for_none.empty() && token.is_word(argument.word_for_none)) return true;
-        if (elements && !tokens_.peek(1).is_symbol("[") && !tokens_.peek(1).is_symbol(".")) return false;
+        if (elements) return expressions().at_attribute();
         break;
       default:
         break;
@@ -175,8 +175,10 @@ class ArgumentParser {
         command_.arguments.empty()
             ? fmt::format("{} takes no arguments, found {}", word_.text, describe(token))
             : fmt::format("{} does not take {} here", word_.text, describe(token));
-    const std::string semicolon = "commands on one line are separated by semicolons";
-    const std::string hint = command_.arguments.empty() ? semicolon : "usage: " + usage(command_);
+    const bool more = std::any_of(command_.arguments.begin(), command_.arguments.end(),
+                                  [&](const Argument& a) { return !given(a); });
+    const std::string hint =
+        more ? "usage: " + usage(command_) : "commands on one line are separated by semicolons";
     throw text::Error(token.place, message, near.empty() ? hint : near);
   }
 
@@ -196,7 +198,7 @@ class ArgumentParser {
         file(typed);
         break;
       case ArgumentKind::word:
-        typed.word = tokens_.take_bare_word().content;
+        bare_word(typed);
         break;
       case ArgumentKind::numbers:
         numbers(typed);
@@ -252,9 +254,13 @@ class ArgumentParser {
       typed.place = typed.expressions.front()->place;
       return;
     }
-    const Token path = tokens_.take_bare_word();
-    typed.word = path.content;
-    typed.place = path.place;
+    bare_word(typed);
+  }
+
+  void bare_word(TypedArgument& typed) {
+    const Token word = tokens_.take_bare_word();
+    typed.word = word.content;
+    typed.place = word.place;
   }
 
   void numbers(TypedArgument& typed) {
@@ -328,22 +334,25 @@ class ArgumentParser {
       throw text::Error(type.place, fmt::format("{} is no type", describe(type)),
                         "types are real, integer and string");
     }
-    std::vector<int> shape;
+    std::optional<std::vector<int>> shape = std::vector<int>{};
     while (tokens_.peek().is_symbol("[")) {
       const Token opener = tokens_.take();
       const language::Brackets brackets(tokens_);
       typed.expressions.push_back(expressions().expression());
-      const auto* const number = std::get_if<language::Number>(&typed.expressions.back()->node);
-      shape.push_back(number != nullptr ? static_cast<int>(number->value) : 1);
+      const std::optional<int> size = names_.present_size(*typed.expressions.back());
+      if (size && shape) shape->push_back(*size);
+      if (!size) shape.reset();
       if (!tokens_.peek().is_symbol("]")) {
         throw text::Error(opener.place, "this \"[\" is never closed: missing \"]\"");
       }
       tokens_.take();
     }
-    if (typed.attribute_of) {
-      names_.promise_attribute(*typed.attribute_of, name.text, std::move(shape));
-    } else {
+    if (!typed.attribute_of) {
       names_.promise_variable(name.text);
+    } else if (shape) {
+      names_.promise_attribute(*typed.attribute_of, name.text, *shape);
+    } else {
+      names_.set_brings_names();
     }
   }
 

@@ -211,7 +211,7 @@ class Completer {
       case ArgumentKind::flag:
         return;
       case ArgumentKind::text:
-        if (argument.choices.empty()) values();
+        if (argument.choices.empty() && result_.begin < line_.size()) values();
         return;
       case ArgumentKind::word:
         return topics();
@@ -225,7 +225,9 @@ class Completer {
         kinds();
         return;
       default:
-        return values();
+        // Before anything is typed, options alone are a better answer than every name there is.
+        if (result_.begin < line_.size()) values();
+        return;
     }
   }
 

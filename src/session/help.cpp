@@ -267,7 +267,12 @@ std::string help_topic(Session& session, std::string_view topic) {
   }
   result += name_help(session, topic);
   if (!result.empty()) return result;
-  const std::string near = text::did_you_mean(topic, all_topics(session));
+  std::vector<std::string> topics = all_topics(session);
+  std::string near = text::did_you_mean(topic, topics);
+  if (near.empty()) {
+    std::erase_if(topics, [&](const std::string& known) { return !known.starts_with(text::lower(topic)); });
+    if (!topics.empty()) near = fmt::format("there is help on {}", fmt::join(topics, ", "));
+  }
   throw text::Error(fmt::format("there is no help on \"{}\"", topic),
                     near.empty() ? "help alone lists the commands" : near);
 }

@@ -33,9 +33,9 @@ double Machine::attribute(language::AttributeId id, const Element& element, int 
 }
 
 bool Machine::is_defined(std::string_view name) {
-  const Names& names = session_.names();
-  return names.variable(name) || names.internal(name) || names.procedure(name) || names.is_command(name) ||
-         language::element_kind(name);
+  const scene::Scene& scene = session_.scene();
+  return scene.variables.find(name) != nullptr || scene.procedures.contains(text::lower(name)) ||
+         find_internal_variable(name) || session_.names().is_command(name) || language::element_kind(name);
 }
 
 std::shared_ptr<const std::vector<Element>> Machine::elements(ElementKind kind) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "language/evaluate.h"
 #include "session/argument_parser.h"
 #include "session/internal_variables.h"
 #include "text/suggest.h"
@@ -81,6 +82,17 @@ void Names::promise_procedure(std::string_view name, std::size_t parameters, boo
 
 void Names::promise_attribute(language::ElementKind kind, std::string_view name, std::vector<int> shape) {
   attributes_.promise(kind, name, std::move(shape));
+}
+
+std::optional<int> Names::present_size(const language::Expression& size) const {
+  constexpr double most = 1e6;
+  try {
+    const double value = language::evaluate_constant(size, scene_.variables);
+    if (value >= 1 && value <= most) return static_cast<int>(value);
+  } catch (const text::Error&) {
+    // It takes the run to tell.
+  }
+  return std::nullopt;
 }
 
 std::unique_ptr<const language::CommandCall> Names::parse_command(language::LexerStream& tokens) {

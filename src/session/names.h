@@ -41,7 +41,10 @@ class Names : public language::StatementScope {
   std::unique_ptr<const language::CommandCall> parse_command(language::LexerStream& tokens) override;
   void collect_statement_words(std::vector<std::string>& into) const override;
 
+  // The value of an array's size, as far as it is known before the text runs.
+  std::optional<int> present_size(const language::Expression& size) const;
   // Whether one of the commands parsed since the last call may bring names that cannot be known yet.
+  void set_brings_names() { brings_names_ = true; }
   bool take_brings_names() { return std::exchange(brings_names_, false); }
   // At the end of a text: what it promised and did not do is unknown again.
   void forget_promises();

@@ -1,6 +1,7 @@
 #include "session/output.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <memory>
 
@@ -37,6 +38,10 @@ void check_writable(const std::string& path) {
 }
 
 }  // namespace
+
+Output::Output() {
+  std::signal(SIGPIPE, SIG_IGN);
+}
 
 Output::~Output() {
   while (!targets_.empty()) cancel();

@@ -15,7 +15,8 @@ class OutputClosed {};
 
 class Output {
  public:
-  Output() = default;
+  // From now on a reader that goes away is an error of writing, not a signal that ends the program.
+  Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
   ~Output();

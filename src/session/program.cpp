@@ -1,7 +1,6 @@
 #include "session/program.h"
 
 #include <cerrno>
-#include <csignal>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -140,7 +139,6 @@ std::string_view version() {
 
 int run_program(const ProgramOptions& options, std::span<const Command* const> commands) {
   interrupt::watch();
-  std::signal(SIGPIPE, SIG_IGN);
   try {
     Session session(commands);
     session.set_quiet(options.quiet);

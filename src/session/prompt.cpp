@@ -5,12 +5,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
+#include <poll.h>
 #include <readline/history.h>
 #include <readline/readline.h>
+#include <unistd.h>
 
 #include "session/completion.h"
 #include "session/interrupt.h"
@@ -70,15 +71,6 @@ class HistoryFile {
   std::optional<fs::path> path_;
 };
 
-// Ctrl-C while a line is typed: the line goes.
-int drop_line() {
-  if (!interrupt::requested()) return 0;
-  ::rl_free_line_state();
-  ::rl_replace_line("", 0);
-  ::rl_done = 1;
-  return 0;
-}
-
 char** offer(const char*, int begin, int end) {
   const std::string line(::rl_line_buffer, static_cast<std::size_t>(end));
   const Completion completion = complete(*served, line);
@@ -104,7 +96,6 @@ char** offer(const char*, int begin, int end) {
 void set_up_readline() {
   ::rl_readline_name = "lamella";
   ::rl_catch_signals = 0;
-  ::rl_signal_event_hook = drop_line;
   ::rl_attempted_completion_function = offer;
   ::rl_completer_word_break_characters = " \t\n\"\\'`@$><=;|&{(,)}[].+-*/%^!?:";
   ::rl_variable_bind("enable-bracketed-paste", "on");
@@ -118,32 +109,55 @@ char* word_breaks() {
   return complete(*served, line).files ? in_files : elsewhere;
 }
 
+// --- one line
+
 struct Typed {
   std::string text;
   bool dropped = false;  // by Ctrl-C
+  bool ended = false;    // no more lines
 };
 
-// One line; nothing at the end of the input.
-std::optional<Typed> read_line(const char* prompt) {
+// Where readline puts the line that is being typed.
+std::optional<Typed> finished;
+
+void finish_line(char* line) {
+  finished = line != nullptr ? Typed{line, false, false} : Typed{"", false, true};
+  std::free(line);
+  ::rl_callback_handler_remove();
+}
+
+// Ctrl-C while a line is typed: the line goes.
+Typed drop_line() {
   interrupt::clear();
-  const std::unique_ptr<char, decltype(&std::free)> line(::readline(prompt), std::free);
-  if (interrupt::requested()) {
-    interrupt::clear();
-    std::fputs("\n", stdout);
-    return Typed{"", true};
+  std::fputs("^C", stdout);
+  std::fflush(stdout);
+  ::rl_free_line_state();
+  ::rl_callback_sigcleanup();
+  ::rl_callback_handler_remove();
+  std::fputs("\n", stdout);
+  return {"", true, false};
+}
+
+Typed read_line(const char* prompt) {
+  finished.reset();
+  ::rl_callback_handler_install(prompt, finish_line);
+  while (!finished) {
+    pollfd input = {STDIN_FILENO, POLLIN, 0};
+    const int ready = ::poll(&input, 1, -1);
+    if (interrupt::requested()) return drop_line();
+    if (ready > 0) ::rl_callback_read_char();
   }
-  if (!line) return std::nullopt;
-  return Typed{line.get(), false};
+  return *finished;
 }
 
 // Lines until the commands on them are complete.
 std::optional<std::string> read_statement(Session& session) {
   std::string text;
   for (bool first = true;; first = false) {
-    const std::optional<Typed> typed = read_line(first ? first_prompt : more_prompt);
-    if (!typed) return std::nullopt;
-    if (typed->dropped) return std::string{};
-    text += (first ? "" : "\n") + typed->text;
+    const Typed typed = read_line(first ? first_prompt : more_prompt);
+    if (typed.ended) return std::nullopt;
+    if (typed.dropped) return std::string{};
+    text += (first ? "" : "\n") + typed.text;
     const text::SourcePointer source = text::make_source("<prompt>", text);
     if (session.is_complete({source, 0, static_cast<std::uint32_t>(text.size())})) return text;
   }
@@ -161,6 +175,7 @@ std::string without_question_mark(const std::string& text) {
 
 void run_prompt(Session& session) {
   served = &session;
+  interrupt::clear();
   set_up_readline();
   ::rl_completion_word_break_hook = word_breaks;
   HistoryFile history;
@@ -173,8 +188,9 @@ void run_prompt(Session& session) {
       break;
     }
     history.add(*text);
+    const Outcome outcome = session.run(text::make_source("<prompt>", without_question_mark(*text)));
     interrupt::clear();
-    if (session.run(text::make_source("<prompt>", without_question_mark(*text))) == Outcome::quit) break;
+    if (outcome == Outcome::quit) break;
   }
   served = nullptr;
 }

@@ -158,9 +158,8 @@ void Session::request_quit() {
 
 namespace {
 
-// The statements of one line. What cannot be parsed is thrown unless statements before it may bring the names
-// it lacks; then those come first, and the rest is parsed again when they have run.
-struct Line {
+// Statements that are parsed before the first of them runs: those of a line, up to one that may bring names.
+struct Batch {
   struct Statement {
     std::shared_ptr<const language::Block> block;
     std::string text;
@@ -169,23 +168,15 @@ struct Line {
   bool at_end = false;
 };
 
-Line parse_line(LexerStream& tokens, StatementParser& parser, Names& names) {
-  Line line;
-  bool brings_names = false;
-  while (true) {
-    const std::uint32_t begin = tokens.previous_end();
-    try {
-      auto [block, text] = parser.next_with_text();
-      line.at_end = block == nullptr;
-      if (!line.at_end) line.statements.push_back({std::move(block), std::move(text)});
-      brings_names = names.take_brings_names() || brings_names;
-      if (line.at_end || parser.at_line_end()) return line;
-    } catch (const text::Error&) {
-      if (!brings_names) throw;
-      tokens.rewind(begin);
-      return line;
-    }
-  }
+Batch parse_batch(StatementParser& parser, Names& names) {
+  Batch batch;
+  do {
+    auto [block, text] = parser.next_with_text();
+    batch.at_end = block == nullptr;
+    if (batch.at_end) return batch;
+    batch.statements.push_back({std::move(block), std::move(text)});
+  } while (!names.take_brings_names() && !parser.at_line_end());
+  return batch;
 }
 
 }  // namespace
@@ -206,9 +197,9 @@ Outcome Session::run(const text::Place& part, bool keep_going) {
   StatementParser parser(*tokens, state_->names);
   while (true) {
     const std::uint32_t begin = tokens->previous_end();
-    Line line;
+    Batch batch;
     try {
-      line = parse_line(*tokens, parser, state_->names);
+      batch = parse_batch(parser, state_->names);
     } catch (const text::Error& error) {
       report(error);
       outcome = Outcome::failed;
@@ -217,7 +208,7 @@ Outcome Session::run(const text::Place& part, bool keep_going) {
       parser.skip_statement_line();
       continue;
     }
-    for (const auto& [block, text] : line.statements) {
+    for (const auto& [block, text] : batch.statements) {
       const Outcome ended = run_statement(*block, text);
       if (ended == Outcome::done) continue;
       outcome = ended;
@@ -225,7 +216,7 @@ Outcome Session::run(const text::Place& part, bool keep_going) {
     }
     const bool ends = outcome == Outcome::quit || outcome == Outcome::interrupted ||
                       (outcome == Outcome::failed && !keep_going);
-    if (line.at_end || ends) break;
+    if (batch.at_end || ends) break;
   }
   state_->names.forget_promises();
   return outcome;
@@ -279,10 +270,11 @@ void Session::run_within(const text::Place& part) {
   StatementParser parser(tokens, state_->names);
   try {
     for (bool more = true; more;) {
-      const Line line = parse_line(tokens, parser, state_->names);
-      for (const auto& [block, text] : line.statements)
-        language::execute(*block, state_->machine, state_->machine.evaluation());
-      more = !line.at_end;
+      const Batch batch = parse_batch(parser, state_->names);
+      for (const Batch::Statement& statement : batch.statements) {
+        language::execute(*statement.block, state_->machine, state_->machine.evaluation());
+      }
+      more = !batch.at_end;
     }
   } catch (...) {
     --state_->reads;
