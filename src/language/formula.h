@@ -1,0 +1,72 @@
+// Formulas of coordinates, compiled once to values and exact derivatives: level sets, parametric curves,
+// densities.
+//
+// An expression becomes a list of instructions on registers. Run with jets instead of numbers (a value with
+// its gradient and Hessian with respect to up to three coordinates), the same list gives exact derivatives:
+// forward differentiation.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "language/expression.h"
+#include "language/variables.h"
+
+namespace lamella::language {
+
+// A value with first and second derivatives by three coordinates. Hessian: xx, xy, xz, yy, yz, zz.
+struct Jet {
+  double value = 0;
+  std::array<double, 3> gradient{};
+  std::array<double, 6> hessian{};
+};
+
+// What a formula may depend on besides its coordinates and the scene's variables, in the order of its local
+// slots.
+struct FormulaInputs {
+  std::span<const double> coordinates;  // three: x, y, z or p1, p2, p3
+  double time = 0;                      // total_time
+  std::span<const double> attributes;   // values of `Formula::attributes()` at the element in question
+};
+
+class Formula {
+ public:
+  Formula() = default;
+  // `expression` was parsed in a FormulaScope; `attributes` are the names it declared. Throws text::Error
+  // with the place of whatever has no derivative or is out of place in a formula (elements, strings,
+  // aggregates).
+  Formula(std::shared_ptr<const Expression> expression, std::string text,
+          std::vector<std::string> attributes);
+
+  explicit operator bool() const { return program_ != nullptr; }
+  const std::string& text() const { return text_; }
+  // Vertex attributes that the formula reads.
+  const std::vector<std::string>& attributes() const { return attributes_; }
+  bool depends_on_time() const;
+  bool depends_on_variables() const;
+
+  // The present values of the variables that the formula reads; needed before the first evaluation, and after
+  // a variable has changed. Undefined variables count as 0.
+  void bind(const Variables& variables);
+
+  // Not a number where the formula has no value (a square root of a negative number, a division by zero).
+  double value(const FormulaInputs& inputs) const;
+  // Value and gradient; the Hessian is left 0.
+  Jet gradient(const FormulaInputs& inputs) const;
+  Jet hessian(const FormulaInputs& inputs) const;
+
+ private:
+  struct Program;
+  template <class Scalar>
+  Scalar run(const FormulaInputs& inputs) const;
+
+  std::shared_ptr<const Program> program_;
+  std::string text_;
+  std::vector<std::string> attributes_;
+  std::vector<double> variables_;  // bound values, in the program's order
+};
+
+}  // namespace lamella::language
