@@ -31,7 +31,7 @@ TEST(Formula, HasTheValueOfItsExpression) {
   EXPECT_DOUBLE_EQ(value(compiled("z > 1 ? x : y"), {7, 8, 0}), 8);
   EXPECT_DOUBLE_EQ(value(compiled("-x^2"), {3, 0, 0}), -9);
   EXPECT_DOUBLE_EQ(value(compiled("2*total_time"), {0, 0, 0}), 0.5);
-  EXPECT_DOUBLE_EQ(value(compiled("!(x > 0) + (y == 2 && z != 3)"), {-1, 2, 0}), 2);
+  EXPECT_DOUBLE_EQ(value(compiled("(!(x > 0)) + (y == 2 && z != 3)"), {-1, 2, 0}), 2);
 }
 
 TEST(Formula, BranchesNotTakenMayHaveNoValue) {
