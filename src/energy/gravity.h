@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "energy/triangle_hessian.h"
 #include "scene/scene.h"
 
 namespace lamella::energy {
@@ -13,6 +14,7 @@ using film::Vec3;
 // integral of z over the body (divergence theorem).
 double height_integral(const Vec3& a, const Vec3& b, const Vec3& c);
 std::array<Vec3, 3> height_integral_gradient(const Vec3& a, const Vec3& b, const Vec3& c);
+TriangleHessian height_integral_hessian(const Vec3& a, const Vec3& b, const Vec3& c);
 
 // A facet between bodies of different density, with (density behind - density in front) * G.
 struct HeavyFacet {

@@ -84,6 +84,24 @@ RimGradient rim_volume_gradient(const Vec3& from, const Vec3& to, const Vec3& or
   return {common + lift + factor * Vec3{b.y, -b.x, 0}, common + lift + factor * Vec3{-a.y, a.x, 0}};
 }
 
+RimHessian rim_volume_hessian(const Vec3& from, const Vec3& to, const Vec3& origin, OpenVolume convention) {
+  RimHessian h;
+  if (convention == OpenVolume::cone_from_origin) {
+    h.from_to = film::cross_matrix(origin / -6);
+    return h;
+  }
+  const Vec3 a = from - origin;
+  const Vec3 b = to - origin;
+  const double factor = (a.z + b.z) / 6 + origin.z / 2;
+  const Vec3 by_from{b.y, -b.x, 0};  // of n.z
+  const Vec3 by_to{-a.y, a.x, 0};
+  const Vec3 lift{0, 0, 1.0 / 6};  // of the factor, by either end
+  h.from_from = outer(by_from, lift) + outer(lift, by_from);
+  h.to_to = outer(by_to, lift) + outer(lift, by_to);
+  h.from_to = outer(by_from, lift) + outer(lift, by_to) + film::cross_matrix({0, 0, -factor});
+  return h;
+}
+
 void add_rim_volumes(std::span<const RimEdge> rims, std::span<const Vec3> positions, const Vec3& origin,
                      OpenVolume convention, std::span<double> volumes) {
   for (const RimEdge& rim : rims) {

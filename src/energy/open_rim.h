@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "film/film.h"
+#include "film/mat3.h"
 
 namespace lamella::energy {
 
+using film::Mat3;
 using film::Vec3;
 
 // An edge along which the films of a region have a boundary, walked in the direction that the region's
@@ -40,6 +42,14 @@ struct RimGradient {
   Vec3 to;
 };
 RimGradient rim_volume_gradient(const Vec3& from, const Vec3& to, const Vec3& origin, OpenVolume convention);
+
+// Second derivatives of `rim_volume`, on top of the cones' from `origin` (energy/triangle_hessian.h).
+struct RimHessian {
+  Mat3 from_from;
+  Mat3 from_to;  // d2/d(from)d(to)
+  Mat3 to_to;
+};
+RimHessian rim_volume_hessian(const Vec3& from, const Vec3& to, const Vec3& origin, OpenVolume convention);
 
 // Adds the share of all rims to volumes[r].
 void add_rim_volumes(std::span<const RimEdge> rims, std::span<const Vec3> positions, const Vec3& origin,
