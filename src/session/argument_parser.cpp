@@ -87,7 +87,7 @@ class ArgumentParser {
       if (given(argument)) throw text::Error(token.place, fmt::format("{} is given twice", argument.name));
       const Token name = tokens_.take();
       if (tokens_.peek().is_symbol("=")) tokens_.take();
-      if (argument.kind != ArgumentKind::flag && language::at_command_end(tokens_)) {
+      if (argument.kind != ArgumentKind::flag && value_is_missing(argument)) {
         throw text::Error(name.place, fmt::format("{} needs its value", name.text),
                           "usage: " + usage(command_));
       }
@@ -95,6 +95,13 @@ class ArgumentParser {
       return true;
     }
     return false;
+  }
+
+  // A bare word need not be made of tokens.
+  bool value_is_missing(const Argument& argument) {
+    const bool bare_word = argument.kind == ArgumentKind::file || argument.kind == ArgumentKind::word;
+    if (bare_word && !tokens_.bare_word_ahead().empty()) return false;
+    return language::at_command_end(tokens_);
   }
 
   // The next positional argument that what follows can be.
@@ -132,7 +139,10 @@ class ArgumentParser {
       case ArgumentKind::definition:
       case ArgumentKind::expressions:
       case ArgumentKind::printable:
+      case ArgumentKind::field:
         return true;
+      case ArgumentKind::commands:
+        return token.is_symbol("{");
       case ArgumentKind::text:
         if (!argument.choices.empty()) return is_choice(argument, token);
         break;
@@ -218,6 +228,12 @@ class ArgumentParser {
         break;
       case ArgumentKind::printable:
         printable(typed);
+        break;
+      case ArgumentKind::field:
+        field(typed);
+        break;
+      case ArgumentKind::commands:
+        commands(typed);
         break;
     }
     return typed;
@@ -377,6 +393,42 @@ class ArgumentParser {
     typed.expressions.push_back(expressions().expression());
   }
 
+  // In terms of a facet, or else of a vertex, or else of an edge; where none will do, what is wrong with the
+  // first is told.
+  void field(TypedArgument& typed) {
+    using language::ElementKind;
+    const std::uint32_t begin = tokens_.mark();
+    std::optional<text::Error> refused;
+    for (const ElementKind kind : {ElementKind::facet, ElementKind::vertex, ElementKind::edge}) {
+      tokens_.rewind(begin);
+      const language::LocalNames local(names_);
+      typed.field.kind = kind;
+      typed.field.slot = names_.locals().declare({}, kind);
+      try {
+        typed.expressions.push_back(expressions().expression());
+      } catch (const language::Incomplete&) {
+        throw;
+      } catch (const text::Error& error) {
+        if (!refused) refused = error;
+        continue;
+      }
+      typed.place = typed.expressions.front()->place;
+      const std::string& content = typed.place.source->content;
+      typed.field.text = content.substr(begin, tokens_.previous_end() - begin);
+      return;
+    }
+    throw text::Error(*refused);
+  }
+
+  void commands(TypedArgument& typed) {
+    if (!tokens_.peek().is_symbol("{")) {
+      throw text::Error(tokens_.peek().place,
+                        fmt::format("expected commands in braces, found {}", describe(tokens_.peek())),
+                        "usage: " + usage(command_));
+    }
+    typed.commands = language::StatementParser(tokens_, names_).next();
+  }
+
   const Command& command_;
   LexerStream& tokens_;
   Names& names_;
@@ -449,6 +501,13 @@ std::optional<GivenValue> value_of(const TypedArgument& typed, language::Evaluat
     case ArgumentKind::printable:
       if (typed.expressions.empty()) return Printable(ProcedureName{typed.word});
       return Printable(typed.expressions.front().get());
+    case ArgumentKind::field: {
+      Field result = typed.field;
+      result.value = typed.expressions.front().get();
+      return result;
+    }
+    case ArgumentKind::commands:
+      return Commands{typed.commands};
   }
   return std::nullopt;
 }
@@ -476,6 +535,12 @@ std::string placeholder(const Argument& argument) {
     case ArgumentKind::selection:
       value = "elements";
       break;
+    case ArgumentKind::field:
+      value = "formula";
+      break;
+    case ArgumentKind::commands:
+      value = "{ commands }";
+      break;
     default:
       value = "value";
       break;
@@ -493,6 +558,7 @@ std::string upper(std::string text) {
 std::string shown(const Argument& argument) {
   if (argument.kind == ArgumentKind::flag) return argument.name;
   if (argument.named) return fmt::format("{} {}", argument.name, placeholder(argument));
+  if (argument.kind == ArgumentKind::commands) return placeholder(argument);
   return argument.choices.empty() ? upper(argument.name) : placeholder(argument);
 }
 

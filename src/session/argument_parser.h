@@ -23,6 +23,8 @@ struct TypedArgument {
   std::optional<language::AttributeUse> attribute;
   std::string type;                                   // of a definition
   std::optional<language::ElementKind> attribute_of;  // of a definition
+  Field field;
+  std::shared_ptr<const language::Block> commands;
 };
 
 // A command with its arguments.

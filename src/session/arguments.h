@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,7 @@
 
 #include "language/elements.h"
 #include "language/expression.h"
+#include "language/statement.h"
 #include "text/source.h"
 
 namespace lamella::session {
@@ -69,6 +71,20 @@ struct ProcedureName {
   std::string name;
 };
 
+// A number of each element, not yet evaluated: `color=length`. Of edges, vertices or facets, whichever have
+// the attributes that it names; facets where any would do.
+struct Field {
+  language::ElementKind kind = language::ElementKind::facet;
+  language::LocalId slot;  // where the element in turn is put
+  const language::Expression* value = nullptr;
+  std::string text;  // as typed
+};
+
+// Commands in braces, with local names of their own.
+struct Commands {
+  std::shared_ptr<const language::Block> block;
+};
+
 // What `print` may be given.
 using Printable = std::variant<ProcedureName, const language::Expression*>;
 
@@ -88,11 +104,13 @@ enum class ArgumentKind : std::uint8_t {
   setting,
   definition,
   printable,
+  field,
+  commands,
 };
 
 // The value of an argument, as it reaches the options.
 using GivenValue = std::variant<double, long, std::string, File, Word, bool, std::vector<double>, Elements,
-                                Selection, Expressions, Setting, Definition, Printable>;
+                                Selection, Expressions, Setting, Definition, Printable, Field, Commands>;
 
 struct Argument {
   std::string name;
@@ -159,6 +177,10 @@ template <>
 struct Filled<Definition> : FilledAs<ArgumentKind::definition, Definition> {};
 template <>
 struct Filled<Printable> : FilledAs<ArgumentKind::printable, Printable> {};
+template <>
+struct Filled<Field> : FilledAs<ArgumentKind::field, Field> {};
+template <>
+struct Filled<Commands> : FilledAs<ArgumentKind::commands, Commands> {};
 template <std::size_t n>
 struct Filled<std::array<double, n>> {
   static constexpr ArgumentKind kind = ArgumentKind::numbers;

@@ -49,6 +49,7 @@ bool Progress::stop_requested() {
 }
 
 void Progress::progress(long done, long total, double energy) {
+  if (follower_) follower_();
   if (!terminal_) return;
   const Clock::time_point now = Clock::now();
   if (!counting_ || done < first_) {

@@ -19,6 +19,9 @@ class Progress : public scene::Monitor {
   void progress(long done, long total, double energy) override;
   void say(std::string_view line) override;
 
+  // Called after each step; an empty function ends that.
+  void follow(std::function<void()> follower) { follower_ = std::move(follower); }
+
   // A new computation begins; the line of the last one goes.
   void restart();
 
@@ -27,6 +30,7 @@ class Progress : public scene::Monitor {
   void erase();
 
   std::function<void(std::string_view)> say_;
+  std::function<void()> follower_;
   bool terminal_ = false;
   Clock::time_point begin_;
   Clock::time_point drawn_;

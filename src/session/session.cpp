@@ -43,8 +43,10 @@ struct Session::State {
   Machine machine;
   Output output;
   Progress progress;
+  Follower follower;
   History history;
   std::map<std::string, double, std::less<>> counters;
+  std::map<std::type_index, std::any> memories;
   std::mt19937_64 random{static_cast<std::uint64_t>(first_seed)};
   double seed = first_seed;
   std::string last_error;
@@ -83,6 +85,15 @@ Output& Session::output() {
 }
 scene::Monitor& Session::monitor() {
   return state_->progress;
+}
+Session::Follower Session::follow_steps(Follower follower) {
+  std::swap(state_->follower, follower);
+  state_->progress.follow(state_->follower ? [this] { state_->follower(state_->scene); }
+                                           : std::function<void()>{});
+  return follower;
+}
+std::any& Session::memory_of(std::type_index type) {
+  return state_->memories[type];
 }
 std::mt19937_64& Session::random() {
   return state_->random;
@@ -281,6 +292,10 @@ void Session::run_within(const text::Place& part) {
     throw;
   }
   --state_->reads;
+}
+
+void Session::run_within(const language::Block& commands) {
+  language::execute(commands, state_->machine, state_->machine.evaluation());
 }
 
 void Session::read(const std::string& path) {

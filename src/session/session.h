@@ -4,10 +4,13 @@
 // computations, counters, random numbers, and the values of expressions they were given unevaluated.
 #pragma once
 
+#include <any>
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
 #include <string_view>
+#include <typeindex>
 
 #include <fmt/format.h>
 
@@ -61,6 +64,10 @@ class Session {
 
   // --- long computations: asks to stop on Ctrl-C, draws the progress line
   scene::Monitor& monitor();
+  // From now on called after each step of a long computation, with the scene as it is then; an empty function
+  // ends that. Returns what was called before.
+  using Follower = std::function<void(const scene::Scene& scene)>;
+  Follower follow_steps(Follower follower);
 
   // --- small things
   // Counters such as `refine_count`, readable as variables after a command has set them.
@@ -68,6 +75,14 @@ class Session {
   std::mt19937_64& random();
   double random_seed() const;
   void seed_random(double seed);
+
+  // What a command remembers from one of its runs to the next: one value of each type, blank at first.
+  template <class Memory>
+  Memory& memory() {
+    std::any& kept = memory_of(typeid(Memory));
+    if (!kept.has_value()) kept = Memory{};
+    return *std::any_cast<Memory>(&kept);
+  }
 
   // --- names and values
   language::Evaluation& evaluation();
@@ -82,6 +97,7 @@ class Session {
   Outcome run(const text::SourcePointer& source, bool keep_going = false);
   // Runs statements as a part of the one that is running; what fails is thrown.
   void run_within(const text::Place& part);
+  void run_within(const language::Block& commands);
   void read(const std::string& path);
   // Replaces the scene by a datafile's and runs the commands at its end.
   void load(const std::string& path);
@@ -98,6 +114,7 @@ class Session {
 
  private:
   struct State;
+  std::any& memory_of(std::type_index type);
   Outcome run_statement(const language::Block& statement, const std::string& text);
   void apply_requested_undo();
 
