@@ -30,12 +30,14 @@ void restore_volumes(scene::Scene& scene, const energy::Measures& before) {
 
 void run(Session& session, const AverageOptions& options) {
   scene::Scene& scene = session.scene();
+  if (scene.empty())
+    throw text::Error("there is no film to average", "load a datafile first: load \"cube.fe\"");
   const energy::Measures before = session.measures();
   for (long i = 0; i < options.times && !session.monitor().stop_requested(); ++i) {
     surgery::average_vertices(scene.film);
     if (scene.keep_volumes && scene.has_fixed_volume()) restore_volumes(scene, before);
+    session.tell("Vertex averaging done.\n");
   }
-  session.tell("Vertex averaging done.\n");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ void run(Session& session) {
   std::vector<text::Diagnostic> findings;
   for (const std::string& finding : film::check(film))
     findings.push_back({text::Severity::error, {}, finding, {}, {}});
+  session.counter("check_count") = static_cast<double>(findings.size());
   if (!findings.empty()) throw text::Error(std::move(findings));
   // A body that its films do not close is lawful, so what it does to the labels is only told.
   for (const std::string& finding : film::check_regions(film, 5)) session.tell("note: {}\n", finding);

@@ -11,6 +11,8 @@ struct EquiangulateOptions {
 };
 
 void run(Session& session, const EquiangulateOptions& options) {
+  if (session.scene().empty())
+    throw text::Error("there is no film to equiangulate", "load a datafile first: load \"cube.fe\"");
   for (long i = 0; i < options.times && !session.monitor().stop_requested(); ++i) {
     const std::uint32_t flips = surgery::equiangulate(session.scene().film);
     session.counter("equi_count") = flips;

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "evolution/hyperbolic.h"
 #include "session/session.h"
 
@@ -10,15 +12,31 @@ struct EvolveOptions {
   std::optional<double> dt;
 };
 
-[[noreturn]] void fail(const evolution::EvolveReport& report) {
+// Outside of this many steps to or from the stability bound there is nothing but waiting or rounding errors.
+constexpr double most_ratio = 1e9;
+
+void check_step(const scene::Scene& scene, double dt) {
+  const double bound = evolution::stability_bound(scene);
+  if (!std::isfinite(bound) || (dt < most_ratio * bound && dt > bound / most_ratio)) return;
   throw text::Error(
-      fmt::format("the film stopped moving after {} steps: {}", report.steps, solve::describe(report.ending)),
-      "the mesh may have become too uneven to go on: try u, V or refine, or more damping");
+      fmt::format("dt is too {}: {:g}", dt > bound ? "large" : "small", dt),
+      fmt::format("the stability bound is {:.3g} now, and half of it is the step unless given", bound));
+}
+
+std::string counted(long number, std::string_view what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+[[noreturn]] void fail(const evolution::EvolveReport& report) {
+  throw text::Error(fmt::format("the film stopped moving after {}: {}", counted(report.steps, "step"),
+                                solve::describe(report.ending)),
+                    "the mesh may have become too uneven to go on: try u, V or refine, or more damping");
 }
 
 void run(Session& session, const EvolveOptions& options) {
   scene::Scene& scene = session.scene();
   if (scene.empty()) throw text::Error("there is no film to move", "load a datafile first: load \"cube.fe\"");
+  if (options.dt) check_step(scene, *options.dt);
   evolution::StepSize size;
   size.fixed = options.dt;
   const evolution::EvolveReport report = evolution::evolve(scene, options.steps, size, session.monitor());
@@ -26,12 +44,13 @@ void run(Session& session, const EvolveOptions& options) {
                       report.ending != solve::Ending::converged;
   if (failed) fail(report);
   if (options.dt && report.substeps > report.steps) {
-    session.tell("dt {:g} lies above the stability bound {:.3g}: {} steps were made in {} parts\n",
-                 *options.dt, report.bound, report.steps, report.substeps);
+    session.tell("dt {:g} is too long for stability (bound {:.3g}): {} made in {} parts\n", *options.dt,
+                 report.bound, counted(report.steps, "step"), report.substeps);
   }
-  if (report.undone > 0) session.tell("{} steps were taken back and made smaller\n", report.undone);
-  session.tell("time {:.6g}: energy {:.12g}, kinetic {:.6g}, {} steps of {:.3g} to {:.3g}\n", scene.time,
-               report.energy, report.kinetic, report.substeps, report.smallest_dt, report.largest_dt);
+  if (report.undone > 0) session.tell("taken back and made smaller: {}\n", counted(report.undone, "step"));
+  session.tell("time {:.6g}: energy {:.12g}, kinetic {:.6g}, {} of {:.3g} to {:.3g}\n", scene.time,
+               report.energy, report.kinetic, counted(report.substeps, "step"), report.smallest_dt,
+               report.largest_dt);
 }
 
 }  // namespace

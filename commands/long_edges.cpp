@@ -12,6 +12,8 @@ struct LongEdgesOptions {
 // One attempt for each edge as it stands, as in Surface Evolver.
 void run(Session& session, const LongEdgesOptions& options) {
   film::Film& film = session.scene().film;
+  if (session.scene().empty())
+    throw text::Error("there are no edges to halve", "load a datafile first: load \"cube.fe\"");
   const std::uint32_t edges = film.edge_rows();
   long divided = 0;
   for (std::uint32_t i = 0; i < edges; ++i) {

@@ -1,5 +1,9 @@
 #include "surgery/refine.h"
 
+#include <cmath>
+
+#include <unistd.h>
+
 #include "film/order.h"
 #include "session/session.h"
 #include "session/tables.h"
@@ -10,19 +14,39 @@ namespace lamella::session::commands {
 
 namespace {
 
+// Rows have 32-bit numbers, and a facet has three sides.
+constexpr double most_facets = 1.4e9;
+// While it grows, the film before and columns in the making stand beside it.
+constexpr double needed_memory = 1.5;
+
 struct RefineOptions {
-  long times = 1;
+  std::optional<long> times;
   std::optional<Elements> elements;
 };
 
+// Asked for by a slip of the finger, a film larger than the machine would end the program.
+void check_size(const film::Film& film, long times) {
+  const double factor = std::pow(4.0, static_cast<double>(times));
+  const double facets = factor * film.triangle_count();
+  const double bytes = factor * static_cast<double>(film.bytes_with_columns());
+  const double memory =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (facets < most_facets && needed_memory * bytes < memory) return;
+  throw text::Error(
+      fmt::format("that would make {:.3g} facets, more than fit into memory", facets),
+      "each refine makes four of one; to refine where it matters: refine edges where length > 0.1");
+}
+
 void refine_all(Session& session, long times) {
   film::Film& film = session.scene().film;
+  check_size(film, times);
   for (long i = 0; i < times; ++i) {
     if (session.monitor().stop_requested()) return;
     const surgery::RefineCounts counts = surgery::refine(film);
     film::restore_spatial_order_if_large(film);
-    session.counter("refine_count") = counts.facets;
+    session.counter("refine_count") = counts.edges;
     session.counter("edge_refine_count") = counts.edges;
+    session.counter("facet_refine_count") = counts.facets;
     session.tell("{}", counts_row(session.scene()));
   }
 }
@@ -43,7 +67,11 @@ void refine_some(Session& session, const Elements& elements) {
 }
 
 void run(Session& session, const RefineOptions& options) {
-  if (!options.elements) return refine_all(session, options.times);
+  if (session.scene().empty())
+    throw text::Error("there is no film to refine", "load a datafile first: load \"cube.fe\"");
+  if (!options.elements) return refine_all(session, options.times.value_or(1));
+  if (options.times)
+    throw text::Error("chosen elements are refined once", "refine TIMES, or refine ELEMENTS");
   const language::ElementKind kind = options.elements->kind;
   if (kind != language::ElementKind::edge && kind != language::ElementKind::facet) {
     throw text::Error("only edges and facets can be refined", "refine edges where length > 0.1");
@@ -58,8 +86,10 @@ extern const Command refine_command = make_command<RefineOptions>(
      .aliases = {"r"},
      .summary = "halve every edge and cut every facet in four, or divide chosen ones",
      .group = CommandGroup::mesh},
-    {positional("times", &RefineOptions::times, "how often").at_least(0).at_most(20),
-     positional("elements", &RefineOptions::elements, "edges to halve, or facets to cut in three")},
+    {positional("elements", &RefineOptions::elements, "edges to halve, or facets to cut in three"),
+     positional("times", &RefineOptions::times, "how often every facet is cut in four; 1 unless given")
+         .at_least(0)
+         .at_most(20)},
     run);
 
 }  // namespace lamella::session::commands

@@ -45,6 +45,8 @@ evolution::RelaxReport descend(scene::Scene& scene, long steps, double tolerance
 
 evolution::RelaxReport relax(Session& session, const RelaxOptions& options) {
   const long steps = options.steps.value_or(most_iterations);
+  if (options.method == "descent" && options.motion)
+    throw text::Error("steepest descent knows no kinds of motion", "motion belongs to method lbfgs");
   if (options.method == "descent")
     return descend(session.scene(), steps, options.tolerance, session.monitor());
   evolution::RelaxOptions wanted;
@@ -66,8 +68,8 @@ void run(Session& session, const RelaxOptions& options) {
     throw text::Error(std::string(solve::describe(report.ending)), "look at v and check; g 1 may tell more");
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  session.counter("residual") = report.residual;
-  session.counter("converged") = report.ending == solve::Ending::converged ? 1 : 0;
+  session.counter("relax_residual") = report.residual;
+  session.counter("relax_converged") = report.ending == solve::Ending::converged ? 1 : 0;
   session.tell("{} after {} iterations: energy {:.12g}, residual {:.2g}, {:.3f} s\n",
                solve::describe(report.ending), report.iterations, report.energy, report.residual,
                seconds.count());

@@ -54,6 +54,11 @@ void set_target(Session& session, const VolumeControlOptions& options) {
 
 void run(Session& session, const VolumeControlOptions& options) {
   scene::Scene& scene = session.scene();
+  if (options.mode && (options.body || options.over))
+    throw text::Error(fmt::format("vc {} takes nothing else", *options.mode),
+                      "a target is set by: vc BODY VOLUME");
+  if (options.over && !options.body)
+    throw text::Error("over belongs to a new target", "as in: vc 1 2.5 over 0.5");
   if (options.mode) {
     scene.keep_volumes = *options.mode == "on";
     session.tell("Volumes are {}.\n", scene.keep_volumes ? "kept" : "free");

@@ -6,7 +6,11 @@ namespace lamella::session::commands {
 namespace {
 
 void run(Session& session) {
-  session.print("{}", volume_table(session.scene(), session.measures()));
+  if (scene::body_count(session.scene()) == 0) {
+    session.print("No bodies.\n");
+  } else {
+    session.print("{}", volume_table(session.scene(), session.measures()));
+  }
 }
 
 }  // namespace
