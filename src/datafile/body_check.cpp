@@ -45,6 +45,10 @@ class BodyCheck {
     std::uint32_t front = nobody;
     std::uint32_t behind = nobody;
   };
+  struct Neighbour {
+    std::uint32_t entry = 0;
+    bool agrees = false;  // both are listed with their normals to the same side
+  };
   struct Body {
     std::uint32_t row = 0;
     std::uint32_t begin = 0;  // its entries
@@ -64,6 +68,7 @@ class BodyCheck {
   bool all_sound(const Body& body) const;
   void check_boundary(const Body& body);
   void collect_meetings(const Body& body);
+  std::vector<std::vector<Neighbour>> neighbours(const Body& body) const;
   std::vector<std::uint32_t> turned_faces(const Body& body) const;
   void report_turned(const Body& body, const std::vector<std::uint32_t>& turned);
   void report_gap(const Body& body, film::Edge edge);
@@ -73,17 +78,18 @@ class BodyCheck {
   const Rows& rows_;
   const Resolved& resolved_;
   const std::vector<film::Region>& regions_;
-  std::vector<Meeting> meetings_;     // by edge
-  std::vector<film::Edge> touched_;   // the edges of the present body
-  std::vector<Claims> claims_;        // by face
-  std::vector<std::uint32_t> owner_;  // by entry: the row of its body
+  std::vector<Meeting> meetings_;       // by edge
+  std::vector<film::Edge> touched_;     // the edges of the present body
+  std::vector<Claims> claims_;          // by face
+  std::vector<std::uint8_t> repeated_;  // by entry: its body has claimed this side already
+  std::vector<std::uint32_t> owner_;    // by entry: the row of its body
 };
 
 std::span<const SignedEdge> BodyCheck::loop(Triangle t) const {
   return {resolved_.loops.data() + rows_.loops.begin(t.index), rows_.loops.size(t.index)};
 }
 
-// Whether every side is claimed once, and by this body alone.
+// Whether no other body claims a side. What the body itself lists again does not count.
 bool BodyCheck::claim_sides(const Body& body) {
   bool clean = true;
   for (std::uint32_t entry = body.begin; entry < body.end; ++entry) {
@@ -95,13 +101,14 @@ bool BodyCheck::claim_sides(const Body& body) {
       claim = entry;
       continue;
     }
-    clean = false;
     const std::uint32_t other = owner_[claim];
     if (other == body.row) {
+      repeated_[entry] = 1;
       reading_.findings.warning(entry_place(entry), fmt::format("face {} is listed twice in body {}",
                                                                 face_id(t), body_id(body.row)));
       continue;
     }
+    clean = false;
     reading_.findings.error(
         entry_place(entry),
         fmt::format("face {} already bounds body {} on this side", face_id(t), body_id(other)),
@@ -121,6 +128,7 @@ bool BodyCheck::all_sound(const Body& body) const {
 void BodyCheck::collect_meetings(const Body& body) {
   touched_.clear();
   for (std::uint32_t entry = body.begin; entry < body.end; ++entry) {
+    if (repeated_[entry] != 0) continue;
     for (const SignedEdge e : loop(face(entry))) {
       Meeting& meeting = meetings_[e.edge().index];
       if (meeting.body != body.row) {
@@ -136,44 +144,42 @@ void BodyCheck::collect_meetings(const Body& body) {
   }
 }
 
-// The fewest faces that would have to be turned for neighbours to agree. Neighbours are the two faces of the
-// body at an edge that has just two; each connected part of the boundary is split into those that agree and
-// the others.
-std::vector<std::uint32_t> BodyCheck::turned_faces(const Body& body) const {
-  struct Neighbour {
-    std::uint32_t entry;
-    bool agrees;
-  };
-  std::vector<std::vector<Neighbour>> neighbours(body.end - body.begin);
+// The faces of the body that meet at an edge which has just two of them, by entry.
+std::vector<std::vector<BodyCheck::Neighbour>> BodyCheck::neighbours(const Body& body) const {
+  std::vector<std::vector<Neighbour>> result(body.end - body.begin);
   for (const film::Edge e : touched_) {
     const Meeting& meeting = meetings_[e.index];
     if (meeting.uses != 2 || meeting.first == meeting.second) continue;
-    neighbours[meeting.first - body.begin].push_back({meeting.second, meeting.sum == 0});
-    neighbours[meeting.second - body.begin].push_back({meeting.first, meeting.sum == 0});
+    result[meeting.first - body.begin].push_back({meeting.second, meeting.sum == 0});
+    result[meeting.second - body.begin].push_back({meeting.first, meeting.sum == 0});
   }
+  return result;
+}
+
+// The fewest faces that would have to be turned for neighbours to agree: each connected part of the boundary
+// is split into those that agree and the others. Nothing where no turning helps, on a one-sided surface.
+std::vector<std::uint32_t> BodyCheck::turned_faces(const Body& body) const {
   constexpr std::uint8_t unseen = 0;
   constexpr std::uint8_t upright = 1;
   constexpr std::uint8_t turned = 2;
-  std::vector<std::uint8_t> state(neighbours.size(), unseen);
+  const std::vector<std::vector<Neighbour>> next_to = neighbours(body);
+  std::vector<std::uint8_t> states(next_to.size(), unseen);
+  const auto state = [&](std::uint32_t entry) -> std::uint8_t& { return states[entry - body.begin]; };
   std::vector<std::uint32_t> result;
   for (std::uint32_t start = body.begin; start < body.end; ++start) {
-    if (state[start - body.begin] != unseen) continue;
-    state[start - body.begin] = upright;
+    if (state(start) != unseen) continue;
+    state(start) = upright;
     std::vector<std::uint32_t> part{start};
     for (std::size_t i = 0; i < part.size(); ++i) {
-      const std::uint8_t own = state[part[i] - body.begin];
-      for (const Neighbour& next : neighbours[part[i] - body.begin]) {
-        std::uint8_t& other = state[next.entry - body.begin];
+      const std::uint8_t own = state(part[i]);
+      for (const Neighbour& next : next_to[part[i] - body.begin]) {
         const std::uint8_t wanted = next.agrees ? own : (own == upright ? turned : upright);
-        if (other == unseen) {
-          other = wanted;
-          part.push_back(next.entry);
-        } else if (other != wanted) {
-          return {};  // one-sided: no turning helps
-        }
+        if (state(next.entry) == unseen) part.push_back(next.entry);
+        if (state(next.entry) != unseen && state(next.entry) != wanted) return {};
+        state(next.entry) = wanted;
       }
     }
-    const auto is_turned = [&](std::uint32_t entry) { return state[entry - body.begin] == turned; };
+    const auto is_turned = [&](std::uint32_t entry) { return state(entry) == turned; };
     const auto count = static_cast<std::size_t>(std::count_if(part.begin(), part.end(), is_turned));
     const bool minority = 2 * count <= part.size();
     std::copy_if(part.begin(), part.end(), std::back_inserter(result),
@@ -215,6 +221,7 @@ bool BodyCheck::is_inside_out(const Body& body) const {
   double volume = 0;
   double size = 0;
   for (std::uint32_t entry = body.begin; entry < body.end; ++entry) {
+    if (repeated_[entry] != 0) continue;
     const std::span<const SignedEdge> edges = loop(face(entry));
     Vec3 centre;
     for (const SignedEdge e : edges) centre += position(resolved_.tail(e)) - origin;
@@ -263,6 +270,7 @@ void BodyCheck::check_boundary(const Body& body) {
 std::vector<film::RegionPair> BodyCheck::run() {
   const SignedLists& lists = rows_.body_faces;
   owner_.resize(lists.ids.size());
+  repeated_.assign(lists.ids.size(), 0);
   for (std::uint32_t row = 0; row < rows_.bodies.size(); ++row) {
     std::fill(owner_.begin() + lists.begins[row], owner_.begin() + lists.begins[row + 1], row);
   }

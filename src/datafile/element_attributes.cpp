@@ -58,6 +58,8 @@ class AttributeReader {
   GivenValue value(const Token& word, std::string_view what = "a number");
   double whole_value(const Token& word);
   void known(const AttributeWord& attribute, const Token& word);
+  void original(const Token& word);
+  void both_colors(const Token& word);
   void volume(const Token& word);
   void pressure(const Token& word);
   void refuse_both(const std::optional<GivenValue>& other, const Token& word);
@@ -73,12 +75,9 @@ class AttributeReader {
 void AttributeReader::read() {
   while (!line_.at_line_end()) {
     if (!line_.at_word()) {
-      const Spot spot = line_.here();
-      const std::string found(line_.at_number() && !line_.at_word() ? "a number"
-                                                                    : language::describe(line_.peek()));
-      throw text::Error(line_.place(spot),
+      throw text::Error(line_.place(line_.here()),
                         fmt::format("expected an attribute of {} {}, found {}", element_name(kind_),
-                                    reading_.rows.of(kind_).ids[row_], found));
+                                    reading_.rows.of(kind_).ids[row_], line_.describe_next()));
     }
     const Token word = line_.word();
     if (const AttributeWord* attribute = attribute_word(kind_, word.text)) {
@@ -125,54 +124,54 @@ double AttributeReader::whole_value(const Token& word) {
 void AttributeReader::known(const AttributeWord& attribute, const Token& word) {
   switch (attribute.action) {
     case AttributeAction::flag:
-      set(attribute.column, 1);
-      break;
+      return set(attribute.column, 1);
     case AttributeAction::number:
-      set(attribute.column, value(word).value);
-      break;
+      return set(attribute.column, value(word).value);
     case AttributeAction::whole:
-      set(attribute.column, whole_value(word));
-      break;
-    case AttributeAction::both_colors: {
-      const double color = whole_value(word);
-      set("color", color);
-      set("backcolor", color);
-      break;
-    }
-    case AttributeAction::original: {
-      const GivenValue given = value(word);
-      const bool fits = std::abs(given.value) <= std::numeric_limits<std::int32_t>::max();
-      if (!fits) throw text::Error(line_.place(given.spot), "this number is too large");
-      reading_.rows.originals[static_cast<std::size_t>(kind_)].emplace_back(
-          row_, static_cast<std::int32_t>(given.value));
-      break;
-    }
+      return set(attribute.column, whole_value(word));
+    case AttributeAction::original:
+      return original(word);
+    case AttributeAction::both_colors:
+      return both_colors(word);
     case AttributeAction::volume:
-      volume(word);
-      break;
+      return volume(word);
     case AttributeAction::pressure:
-      pressure(word);
-      break;
+      return pressure(word);
     case AttributeAction::density:
       body().density = value(word).value;
-      break;
+      return;
     case AttributeAction::volume_constant:
       body().volume_constant = value(word).value;
-      break;
+      return;
     case AttributeAction::actual_volume:
       body().actual_volume = value(word);
-      break;
+      return;
     case AttributeAction::multiplier:
       body().multiplier = value(word).value;
-      break;
+      return;
     case AttributeAction::nothing:
       while (line_.at_number()) line_.value();
-      break;
+      return;
     case AttributeAction::refused:
       reading_.refuse(word.place, text::lower(word.text), attribute.column);
       line_.skip_line();
-      break;
+      return;
   }
+}
+
+void AttributeReader::original(const Token& word) {
+  const GivenValue given = value(word);
+  if (std::abs(given.value) > std::numeric_limits<std::int32_t>::max()) {
+    throw text::Error(line_.place(given.spot), "this number is too large");
+  }
+  reading_.rows.originals[static_cast<std::size_t>(kind_)].emplace_back(
+      row_, static_cast<std::int32_t>(given.value));
+}
+
+void AttributeReader::both_colors(const Token& word) {
+  const double color = whole_value(word);
+  set("color", color);
+  set("backcolor", color);
 }
 
 void AttributeReader::volume(const Token& word) {

@@ -228,8 +228,10 @@ void ListReader::coordinates() {
     position[axis] = given.value;
   }
   if (line_.at_number()) {
-    throw text::Error(line_.place(line_.here()),
-                      fmt::format("vertex {} has more than three coordinates", id));
+    const text::Place place = line_.place(line_.here());
+    const bool commas = text::line_of(place).find(',') != std::string_view::npos;
+    throw text::Error(place, fmt::format("vertex {} has more than three coordinates", id),
+                      commas ? "commas stand between numbers; decimals have a point" : "");
   }
   rows().positions.back() = position;
 }

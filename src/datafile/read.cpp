@@ -90,7 +90,7 @@ ReadResult DatafileReader::read() {
 
 }  // namespace
 
-ReadResult read_datafile(text::SourcePointer file, const language::Variables* session) {
+ReadResult read_datafile(const text::SourcePointer& file, const language::Variables* session) {
   return DatafileReader(file, session).read();
 }
 

@@ -29,6 +29,6 @@ struct ReadResult {
 // name.
 ReadResult read_datafile(const std::string& path, const language::Variables* session = nullptr);
 // Included files are looked for beside the file that the source is named after.
-ReadResult read_datafile(text::SourcePointer file, const language::Variables* session = nullptr);
+ReadResult read_datafile(const text::SourcePointer& file, const language::Variables* session = nullptr);
 
 }  // namespace lamella::datafile

@@ -119,4 +119,10 @@ Spot RowReader::here() {
   return tokens_.spot(tokens_.peek().place);
 }
 
+std::string RowReader::describe_next() {
+  if (plain_left()) return fmt::format("{}", plain_.values[next_plain_]);
+  if (plain_.complete) return "the end of the line";
+  return describe(tokens_.peek());
+}
+
 }  // namespace lamella::datafile

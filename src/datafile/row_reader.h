@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "datafile/rows.h"
@@ -39,8 +40,9 @@ class RowReader {
   // To be called after a brace has opened: numbers in it are read straight from the bytes.
   void begin_braces();
 
-  // What stands next, or the line's end.
+  // The place of what stands next, or of the line's end, and how messages name it.
   Spot here();
+  std::string describe_next();
   text::Place place(Spot spot) const { return tokens_.place(spot); }
   TokenSource& tokens() { return tokens_; }
 

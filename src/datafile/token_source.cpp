@@ -55,7 +55,14 @@ void TokenSource::open(text::SourcePointer source, std::string canonical_path,
 }
 
 const Token& TokenSource::peek(std::size_t ahead) {
-  while (ahead_.size() <= ahead) ahead_.push_back(next());
+  while (ahead_.size() <= ahead) {
+    try {
+      ahead_.push_back(next());
+    } catch (const text::Error&) {
+      if (ahead_.empty()) at_line_start_ = false;  // what could not be read is passed over
+      throw;
+    }
+  }
   return ahead_[ahead];
 }
 
