@@ -41,7 +41,7 @@ TEST(PlainNumber, IsLeftToTheLexerWhereMoreThanANumberStands) {
 
 TEST(Blanks, AreSeparatorsAndSplicedLineEnds) {
   EXPECT_EQ(skip_blanks(" \t,:;1", 0), 5U);
-  EXPECT_EQ(skip_blanks(" \\\n \\\r\n\\\r1", 0), 8U);
+  EXPECT_EQ(skip_blanks(" \\\n \\\r\n\\\r1", 0), 9U);
   EXPECT_EQ(skip_blanks(" \n1", 0), 1U);
   EXPECT_EQ(skip_blanks("\\1", 0), 0U);
 }
