@@ -309,6 +309,7 @@ void Session::load(const std::string& path) {
   state_->scene = std::move(result.scene);
   state_->counters.clear();
   seed_random(first_seed);
+  for (const text::Place& declaration : result.procedures) run_within(declaration);
   for (const text::Place& commands : result.read_section) run_within(commands);
 }
 
