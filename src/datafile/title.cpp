@@ -60,7 +60,10 @@ std::string title_of(std::string_view content) {
 
 std::string title_comment(std::string_view title) {
   std::string comment;
-  while (!title.empty()) comment += fmt::format("// {}\n", take_line(title));
+  while (!title.empty()) {
+    const std::string_view line = take_line(title);
+    comment += fmt::format("//{}{}\n", line.empty() ? "" : " ", line);
+  }
   return comment;
 }
 
