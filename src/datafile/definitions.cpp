@@ -169,8 +169,8 @@ void read_variable(Reading& reading) {
                       "write real, integer or string");
   }
   if (tokens.peek().is_symbol("[")) {
-    reading.refuse(tokens.peek().place, "[", "arrays of variables");
-    while (tokens.peek().is_symbol("[")) tokens.skip_line();
+    reading.refuse(name.place, fmt::format("{}[]", name.text), "arrays of variables");
+    skip_declaration(tokens);
     return;
   }
   language::Value value = string ? language::Value(std::string{}) : language::Value(0.0);

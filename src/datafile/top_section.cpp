@@ -33,11 +33,6 @@ bool at_declaration(TokenSource& tokens) {
   return type.is_word("real") || type.is_word("integer") || type.is_word("string");
 }
 
-// To the next line that begins with a keyword: the others belong to what could not be read.
-void skip_declaration(TokenSource& tokens) {
-  while (!tokens.at_line_start() || !at_declaration(tokens)) tokens.next_line();
-}
-
 [[noreturn]] void refuse_word(const Token& word) {
   std::vector<std::string> known{"parameter", "define", "function", "procedure", "#define", "#include"};
   for (const Setting& setting : settings()) known.emplace_back(setting.word);
@@ -88,6 +83,10 @@ bool misspelt_section(const Token& word) {
 bool begins_declaration(std::string_view word) {
   return is_declaration_word(word) || find_setting(word) != nullptr || cosmetic_word(word) != nullptr ||
          refused_feature(word).has_value() || section_named(word).has_value();
+}
+
+void skip_declaration(TokenSource& tokens) {
+  while (!tokens.at_line_start() || !at_declaration(tokens)) tokens.next_line();
 }
 
 void read_top_section(Reading& reading) {
