@@ -45,13 +45,21 @@ class FilmEnergy {
   const VolumeGradient& volume_gradient() const { return constrained_gradient_; }
   std::span<const film::Region> constrained() const { return constrained_; }
 
- private:
+  // What the energy is made of besides the sweep, for whoever sums second derivatives.
   struct TenseEdge {
     film::Vertex tail;
     film::Vertex head;
     double tension = 0;
   };
+  const SweepInput& input() const { return input_; }
+  std::span<const HeavyFacet> heavy() const { return heavy_; }
+  std::span<const TenseEdge> tense_edges() const { return tense_; }
+  std::span<const RimEdge> rims() const { return rims_; }
+  OpenVolume open_volume() const { return open_volume_; }
+  std::span<const film::Region> pressurised() const { return pressurised_; }
+  std::span<const double> prescribed_pressures() const { return pressures_; }  // of `pressurised`
 
+ private:
   void collect_bodies(const scene::Scene& scene);
   void collect_tense_edges(const scene::Scene& scene);
   void start(std::span<const Vec3> positions);

@@ -1,5 +1,7 @@
 #include "solve/freedom.h"
 
+#include <cmath>
+
 #include "film/normals.h"
 #include "film/vertex_place.h"
 
@@ -23,6 +25,24 @@ void Freedom::renew(std::span<const Vec3> x) {
   direction_ = film::area_vectors(film_, x);
   for (Vec3& d : direction_) d = unit(d);
   for (const Line& line : lines_) direction_[line.vertex] = unit(x[line.after] - x[line.before]);
+}
+
+std::uint32_t Freedom::count(std::size_t vertex) const {
+  if (kind_.empty() || kind_[vertex] == Kind::free) return 3;
+  return kind_[vertex] == Kind::along ? 1 : 2;
+}
+
+std::array<Vec3, 3> Freedom::directions(std::size_t vertex) const {
+  if (kind_.empty() || kind_[vertex] == Kind::free) return {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  // Where neither normal nor line has a direction, any will do.
+  const Vec3 d = direction_[vertex] == Vec3{} ? Vec3{0, 0, 1} : direction_[vertex];
+  if (kind_[vertex] == Kind::along) return {d};
+  const double ax = std::abs(d.x);
+  const double ay = std::abs(d.y);
+  const double az = std::abs(d.z);
+  const Vec3 least = ax <= ay && ax <= az ? Vec3{1, 0, 0} : ay <= az ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 first = unit(cross(d, least));
+  return {first, cross(d, first)};
 }
 
 void Freedom::restrict(std::span<Vec3> field) const {

@@ -1,6 +1,7 @@
 // Which motions of a vertex change the shape of the film, and which only slide the mesh along it.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,11 @@ class Freedom {
 
   // Takes out of a field (a row a vertex) what the vertices are not free to do.
   void restrict(std::span<Vec3> field) const;
+
+  // What is left to a vertex: so many directions, however the film lies, and at the last `renew` these
+  // (orthonormal; the rest of the three is to be ignored).
+  std::uint32_t count(std::size_t vertex) const;
+  std::array<Vec3, 3> directions(std::size_t vertex) const;
 
  private:
   enum class Kind : std::uint8_t { free, along, square };

@@ -70,6 +70,16 @@ bool SparseFactor::factorise(const LowerMatrix& matrix) {
   return work_->common.status == CHOLMOD_OK && work_->factor->minor == work_->factor->n;
 }
 
+// In a simplicial L D L^T factor each column begins with its entry of D.
+int SparseFactor::negative_pivots() const {
+  const cholmod_factor& f = *work_->factor;
+  const int* start = static_cast<const int*>(f.p);
+  const double* value = static_cast<const double*>(f.x);
+  int negative = 0;
+  for (std::size_t j = 0; j < f.n; ++j) negative += value[start[j]] < 0 ? 1 : 0;
+  return negative;
+}
+
 void SparseFactor::solve(std::span<double> values, int columns) {
   if (values.empty()) return;
   cholmod_dense b{};

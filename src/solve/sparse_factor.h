@@ -1,4 +1,4 @@
-// Factorisation of a large sparse symmetric positive definite matrix. The one file that knows SuiteSparse.
+// Factorisation of a large sparse symmetric matrix as L D L^T. The one file that knows SuiteSparse.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,11 @@ class SparseFactor {
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;
 
-  // False if the matrix is not positive definite.
+  // False if a pivot vanishes or is not a number. There is no pivoting: an indefinite matrix factorises well
+  // as long as no leading part of it, in the order of elimination, is nearly singular.
   bool factorise(const LowerMatrix& matrix);
+  // Of the last factorisation: how many eigenvalues of the matrix are negative (Sylvester's law of inertia).
+  int negative_pivots() const;
   // Solves for `columns` right-hand sides stored one after another, in place.
   void solve(std::span<double> values, int columns);
 

@@ -1,0 +1,132 @@
+#include "solve/newton_system.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "solve/rigid_motion.h"
+
+namespace lamella::solve {
+
+namespace {
+
+// Solutions are improved once where they leave more than this of the right-hand side.
+constexpr double accurate = 1e-11;
+
+using Small = Eigen::Map<const Eigen::MatrixXd>;
+using Vector = Eigen::Map<const Eigen::VectorXd>;
+
+Eigen::Index index(std::size_t i) {
+  return static_cast<Eigen::Index>(i);
+}
+
+}  // namespace
+
+NewtonSystem::NewtonSystem(Problem& problem, const film::Film& film, MotionKind motion)
+    : problem_(problem),
+      film_(film),
+      basis_(film, problem.weights(), motion),
+      hessian_(problem, film, basis_),
+      factor_(std::make_unique<SparseFactor>(hessian_.matrix())),
+      field_(film.vertex_rows()),
+      force_(basis_.size()) {
+  film_.edit_position_rows() = {};
+}
+
+double NewtonSystem::linearise(std::span<const Vec3> x, bool& ok) {
+  const double energy = problem_.linearise(x, ok);
+  if (!ok) return energy;
+  x_.assign(x.begin(), x.end());
+  basis_.renew(x);
+  hessian_.assemble(problem_, basis_, x);
+  problem_.descent_direction(field_);
+  basis_.reduce(field_, force_);
+  scale_ = problem_.energy().area() > 0 ? 4 * M_PI / problem_.energy().area() : 1;
+  rigid_known_ = bordered_ = false;
+  return energy;
+}
+
+bool NewtonSystem::factorise(double shift) {
+  bordered_ = false;
+  hessian_.set_shift(shift);
+  return basis_.size() == 0 || factor_->factorise(hessian_.matrix());
+}
+
+const std::vector<std::vector<double>>& NewtonSystem::rigid() {
+  if (!rigid_known_) rigid_ = rigid_motions(problem_, film_, basis_, hessian_, x_);
+  rigid_known_ = true;
+  return rigid_;
+}
+
+void NewtonSystem::border() {
+  if (bordered_) return;
+  bordered_ = true;
+  const std::size_t count = rigid().size();
+  const std::size_t rows = hessian_.unknowns() + hessian_.constraints();
+  solved_.assign(count * rows, 0.0);
+  for (std::size_t c = 0; c < count; ++c) {
+    for (std::size_t i = 0; i < hessian_.unknowns(); ++i)
+      solved_[c * rows + i] = hessian_.mass()[i] * rigid_[c][i];
+  }
+  if (count > 0) factor_->solve(solved_, static_cast<int>(count));
+  gram_.assign(count * count, 0.0);
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = 0; b < count; ++b) {
+      for (std::size_t i = 0; i < hessian_.unknowns(); ++i)
+        gram_[a * count + b] += hessian_.mass()[i] * rigid_[a][i] * solved_[b * rows + i];
+    }
+  }
+}
+
+// Bordering a symmetric matrix A by columns C adds the inertia of -C^T A^-1 C to its own, and each
+// independent column takes one negative and one positive eigenvalue for itself.
+int NewtonSystem::negative_modes() {
+  if (basis_.size() == 0) return 0;
+  const int negative = factor_->negative_pivots() - static_cast<int>(hessian_.constraints());
+  if (negative <= 0) return 0;
+  border();
+  if (rigid_.empty()) return negative;
+  const Small gram(gram_.data(), index(rigid_.size()), index(rigid_.size()));
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).eigenvalues();
+  return negative - static_cast<int>((values.array() < 0).count());
+}
+
+double NewtonSystem::step(std::span<double> reduced) {
+  const std::size_t unknowns = hessian_.unknowns();
+  const std::size_t rows = unknowns + hessian_.constraints();
+  std::vector<double> right(rows, 0.0);
+  std::copy(force_.begin(), force_.end(), right.begin());
+  std::vector<double> solution = right;
+  factor_->solve(solution, 1);
+  std::vector<double> left(rows);
+  hessian_.multiply(solution, left);
+  double wrong = 0;
+  double whole = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    left[i] = right[i] - left[i];
+    wrong += left[i] * left[i];
+    whole += right[i] * right[i];
+  }
+  if (wrong > accurate * accurate * whole) {
+    factor_->solve(left, 1);
+    for (std::size_t i = 0; i < rows; ++i) solution[i] += left[i];
+  }
+  border();
+  if (const std::size_t count = rigid_.size(); count > 0) {
+    Eigen::VectorXd part(index(count));
+    for (std::size_t c = 0; c < count; ++c) {
+      double sum = 0;
+      for (std::size_t i = 0; i < unknowns; ++i) sum += hessian_.mass()[i] * rigid_[c][i] * solution[i];
+      part[index(c)] = sum;
+    }
+    const Eigen::VectorXd take = Small(gram_.data(), index(count), index(count)).fullPivLu().solve(part);
+    for (std::size_t c = 0; c < count; ++c) {
+      for (std::size_t i = 0; i < rows; ++i) solution[i] -= take[index(c)] * solved_[c * rows + i];
+    }
+  }
+  std::copy_n(solution.begin(), unknowns, reduced.begin());
+  double slope = 0;
+  for (std::size_t i = 0; i < unknowns; ++i) slope -= force_[i] * reduced[i];
+  return slope;
+}
+
+}  // namespace lamella::solve

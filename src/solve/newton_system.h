@@ -1,0 +1,69 @@
+// The linear system of Newton's method at one shape of the film, factorised: steps and counts of modes.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "solve/basis.h"
+#include "solve/hessian.h"
+#include "solve/problem.h"
+#include "solve/sparse_factor.h"
+
+namespace lamella::solve {
+
+// Lives as long as the connectivity: the symbolic factorisation is made once.
+class NewtonSystem {
+ public:
+  NewtonSystem(Problem& problem, const film::Film& film, MotionKind motion);
+
+  // Energy, pressures, directions and the Hessian at x. Returns the energy; false in `ok` as in
+  // Problem::linearise.
+  double linearise(std::span<const Vec3> x, bool& ok);
+  // Factorises with H + shift M in the place of H. False if that is singular to rounding.
+  bool factorise(double shift);
+
+  // Of the last factorisation: how many negative modes H + shift M has among the motions that keep volumes,
+  // those of the film as a whole (solve/rigid_motion.h) not counted.
+  int negative_modes();
+
+  // The stationary point of the quadratic model, volumes kept to first order, without motion of the film as a
+  // whole; a reduced vector. Returns the slope of the energy along it (negative: downhill).
+  double step(std::span<double> reduced);
+
+  // Solves with the last factorisation for right-hand sides of `unknowns + constraints` numbers each, one
+  // after another, in place.
+  void solve(std::span<double> values, int columns) { factor_->solve(values, columns); }
+
+  Problem& problem() { return problem_; }
+  const Basis& basis() const { return basis_; }
+  ConstrainedHessian& hessian() { return hessian_; }
+  const ConstrainedHessian& hessian() const { return hessian_; }
+  // Minus the gradient of energy - sum pressure * volume, reduced.
+  std::span<const double> force() const { return force_; }
+  // 4 pi over the film's area: on a sphere its curvature squared, and the unit of what modes have.
+  double scale() const { return scale_; }
+  // The film's motions as a whole at the last `linearise`, orthonormal in the mass.
+  const std::vector<std::vector<double>>& rigid();
+
+ private:
+  void border();
+
+  Problem& problem_;
+  film::Film film_;  // without positions
+  Basis basis_;
+  ConstrainedHessian hessian_;
+  std::unique_ptr<SparseFactor> factor_;
+  std::vector<Vec3> x_;
+  std::vector<Vec3> field_;
+  std::vector<double> force_;
+  double scale_ = 0;
+  bool rigid_known_ = false;
+  std::vector<std::vector<double>> rigid_;
+  // Of the last factorisation, once needed: A^-1 C with C = M rigid, and C^T A^-1 C by rows.
+  bool bordered_ = false;
+  std::vector<double> solved_;
+  std::vector<double> gram_;
+};
+
+}  // namespace lamella::solve
