@@ -1,5 +1,6 @@
 #include "surgery/average.h"
 
+#include "scene/constraint_sets.h"
 #include "session/session.h"
 #include "solve/problem.h"
 
@@ -35,6 +36,7 @@ void run(Session& session, const AverageOptions& options) {
   const energy::Measures before = session.measures();
   for (long i = 0; i < options.times && !session.monitor().stop_requested(); ++i) {
     surgery::average_vertices(scene.film);
+    scene::constrain_vertices(scene);
     if (scene.keep_volumes && scene.has_fixed_volume()) restore_volumes(scene, before);
     session.tell("Vertex averaging done.\n");
   }

@@ -1,3 +1,4 @@
+#include "scene/constraint_sets.h"
 #include "session/session.h"
 #include "surgery/split_edge.h"
 
@@ -15,6 +16,7 @@ void run(Session& session, const LongEdgesOptions& options) {
   if (session.scene().empty())
     throw text::Error("there are no edges to halve", "load a datafile first: load \"cube.fe\"");
   const std::uint32_t edges = film.edge_rows();
+  const std::uint32_t old_vertices = film.vertex_rows();
   long divided = 0;
   for (std::uint32_t i = 0; i < edges; ++i) {
     const film::Edge e(i);
@@ -24,6 +26,7 @@ void run(Session& session, const LongEdgesOptions& options) {
     surgery::split_edge(film, e);
     ++divided;
   }
+  scene::settle_vertices(session.scene(), old_vertices);
   session.counter("edge_refine_count") = static_cast<double>(divided);
   session.tell("New edges: {}\n", divided);
 }

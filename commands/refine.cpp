@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "film/order.h"
+#include "scene/constraint_sets.h"
 #include "session/session.h"
 #include "session/tables.h"
 #include "surgery/split_edge.h"
@@ -42,7 +43,9 @@ void refine_all(Session& session, long times) {
   check_size(film, times);
   for (long i = 0; i < times; ++i) {
     if (session.monitor().stop_requested()) return;
+    const std::uint32_t old_vertices = film.vertex_rows();
     const surgery::RefineCounts counts = surgery::refine(film);
+    scene::settle_vertices(session.scene(), old_vertices);
     film::restore_spatial_order_if_large(film);
     session.counter("refine_count") = counts.edges;
     session.counter("edge_refine_count") = counts.edges;
@@ -53,6 +56,7 @@ void refine_all(Session& session, long times) {
 
 void refine_some(Session& session, const Elements& elements) {
   film::Film& film = session.scene().film;
+  const std::uint32_t old_vertices = film.vertex_rows();
   for (const language::Element& element : elements.list) {
     if (elements.kind == language::ElementKind::edge) {
       surgery::split_edge(film, film::Edge(element.row));
@@ -60,6 +64,7 @@ void refine_some(Session& session, const Elements& elements) {
       surgery::split_facet(film, film::Triangle(element.row));
     }
   }
+  scene::settle_vertices(session.scene(), old_vertices);
   const bool edges = elements.kind == language::ElementKind::edge;
   session.counter(edges ? "edge_refine_count" : "facet_refine_count") =
       static_cast<double>(elements.list.size());

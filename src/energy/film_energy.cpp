@@ -4,14 +4,16 @@
 #include <cassert>
 #include <cmath>
 
+#include "scene/constraint_sets.h"
+
 namespace lamella::energy {
 
 namespace {
 
 using film::ElementKind;
 
-bool labelled(const film::View& view) {
-  return std::any_of(view.regions.begin(), view.regions.end(),
+bool labelled(std::span<const film::RegionPair> regions) {
+  return std::any_of(regions.begin(), regions.end(),
                      [](const film::RegionPair& pair) { return pair.front != pair.behind; });
 }
 
@@ -38,55 +40,53 @@ std::vector<film::Region> pressurised_regions(const scene::Scene& scene) {
   return regions_where(scene, [](const scene::Body& body) { return body.fixed_pressure && !body.absent; });
 }
 
-bool same_properties(const scene::Body& a, const scene::Body& b) {
-  return a.fixed_volume() == b.fixed_volume() && a.fixed_pressure == b.fixed_pressure &&
-         a.density == b.density && a.volume_offset == b.volume_offset && a.absent == b.absent;
+// The scene without positions (they are arguments; holding them would only cost memory), its formulas bound.
+scene::Scene prepared(const scene::Scene& scene) {
+  scene::Scene result = scene;
+  result.film.edit_position_rows() = {};
+  scene::bind_formulas(result);
+  return result;
 }
 
 }  // namespace
 
 FilmEnergy::FilmEnergy(const scene::Scene& scene)
-    : film_(scene.film),
+    : scene_(prepared(scene)),
       vertex_count_(scene.film.vertex_rows()),
-      tension_revision_(scene.film.columns(ElementKind::facet).revision("tension")),
-      edge_tension_revision_(scene.film.columns(ElementKind::edge).revision("tension")),
       open_volume_(scene.symmetric_content ? OpenVolume::cone_from_origin : OpenVolume::above_plane),
-      bodies_(scene.bodies),
-      gravity_(scene.gravity),
-      keep_volumes_(scene.keep_volumes),
+      constraints_(scene),
+      energy_edges_(energy::energy_edges(scene_)),
+      content_edges_(energy::content_edges(scene_)),
+      gaps_(gap_edges(scene_)),
       heavy_(heavy_facets(scene)),
       volumes_(scene.bodies.size() + 1),
       lines_(vertex_count_),
       constrained_(constrained_regions(scene)),
       pressurised_(pressurised_regions(scene)),
-      constrained_gradient_(film_, rows_of(constrained_, volumes_.size()),
-                            static_cast<int>(constrained_.size())),
-      pressure_gradient_(film_, rows_of(pressurised_, volumes_.size()),
-                         static_cast<int>(pressurised_.size())) {
-  const film::View view = film_.view();
-  input_.triangles = view.triangles;
-  input_.regions = view.regions;
-  input_.tension = film_.columns(ElementKind::facet).reals("tension");
-  input_.has_regions = labelled(view);
-  if (input_.has_regions) rims_ = open_rims(film_);
-  film_.edit_position_rows() = {};  // positions are arguments; holding these would only cost memory
-  collect_bodies(scene);
+      constrained_gradient_(scene.film, rows_of(constrained_, volumes_.size()),
+                            static_cast<int>(constrained_.size()), constraints_, content_edges_,
+                            scene.edge_integral_order),
+      pressure_gradient_(scene.film, rows_of(pressurised_, volumes_.size()),
+                         static_cast<int>(pressurised_.size()), {}, content_edges_,
+                         scene.edge_integral_order) {
+  const film::Connectivity& complex = scene_.film.connectivity();
+  input_.triangles = complex.triangle_vertices;
+  input_.regions = complex.triangle_regions;
+  input_.tension = scene_.film.columns(ElementKind::facet).reals("tension");
+  input_.has_regions = labelled(input_.regions);
+  if (input_.has_regions) rims_ = open_rims(scene.film);
+  for (const film::Region region : pressurised_) pressures_.push_back(*scene.body(region).fixed_pressure);
   collect_tense_edges(scene);
 }
 
-bool FilmEnergy::stale(const scene::Scene& scene) const {
-  return scene.film.connectivity_revision() != film_.connectivity_revision() ||
-         scene.film.columns(ElementKind::facet).revision("tension") != tension_revision_ ||
-         scene.film.columns(ElementKind::edge).revision("tension") != edge_tension_revision_ ||
-         scene.gravity.on != gravity_.on || scene.gravity.constant != gravity_.constant ||
-         scene.keep_volumes != keep_volumes_ ||
-         scene.symmetric_content != (open_volume_ == OpenVolume::cone_from_origin) ||
-         !std::equal(scene.bodies.begin(), scene.bodies.end(), bodies_.begin(), bodies_.end(),
-                     same_properties);
+void FilmEnergy::set_time(double time) {
+  scene_.time = time;
+  constraints_.set_time(time);
 }
 
-void FilmEnergy::collect_bodies(const scene::Scene& scene) {
-  for (const film::Region region : pressurised_) pressures_.push_back(*scene.body(region).fixed_pressure);
+void FilmEnergy::renew_constraints(std::span<const Vec3> positions, std::span<const Vec3> force) {
+  constraints_.renew(positions, force);
+  constrained_gradient_.restrict(constraints_);
 }
 
 void FilmEnergy::collect_tense_edges(const scene::Scene& scene) {
@@ -106,8 +106,21 @@ void FilmEnergy::start(std::span<const Vec3> positions) {
 
 double FilmEnergy::other_terms(std::span<const Vec3> positions) {
   add_rim_volumes(rims_, positions, input_.origin, open_volume_, volumes_);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) volumes_[b + 1] += bodies_[b].volume_offset;
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) volumes_[b + 1] += scene_.bodies[b].volume_offset;
+  const int order = scene_.edge_integral_order;
+  for (const FieldEdge& edge : content_edges_) {
+    volumes_[edge.region.index] += edge.times * edge_integral(*edge.field, positions[edge.from.index],
+                                                              positions[edge.to.index], scene_.time, order);
+  }
   double energy = 0;
+  for (const FieldEdge& edge : energy_edges_) {
+    energy += edge.times * edge_integral(*edge.field, positions[edge.from.index], positions[edge.to.index],
+                                         scene_.time, order);
+  }
+  for (const GapEdge& gap : gaps_) {
+    energy += scene_.gap_constant *
+              gap_energy(*gap.level, positions[gap.tail.index], positions[gap.head.index], scene_.time).value;
+  }
   for (std::size_t i = 0; i < pressurised_.size(); ++i)
     energy -= pressures_[i] * volumes_[pressurised_[i].index];
   for (const HeavyFacet& facet : heavy_) {
@@ -122,6 +135,19 @@ double FilmEnergy::other_terms(std::span<const Vec3> positions) {
 }
 
 void FilmEnergy::add_other_gradients(std::span<const Vec3> positions) {
+  for (const FieldEdge& edge : energy_edges_) {
+    const EdgeGradient g =
+        edge_integral_gradient(*edge.field, positions[edge.from.index], positions[edge.to.index], scene_.time,
+                               scene_.edge_integral_order);
+    lines_[edge.from.index].gradient += edge.times * g.from;
+    lines_[edge.to.index].gradient += edge.times * g.to;
+  }
+  for (const GapEdge& gap : gaps_) {
+    const EdgeGradient g =
+        gap_energy(*gap.level, positions[gap.tail.index], positions[gap.head.index], scene_.time);
+    lines_[gap.tail.index].gradient += scene_.gap_constant * g.from;
+    lines_[gap.head.index].gradient += scene_.gap_constant * g.to;
+  }
   for (const HeavyFacet& facet : heavy_) {
     const auto& v = input_.triangles[facet.triangle];
     const auto g =
@@ -134,7 +160,7 @@ void FilmEnergy::add_other_gradients(std::span<const Vec3> positions) {
     lines_[edge.head.index].gradient += pull;
   }
   if (!pressurised_.empty()) {
-    pressure_gradient_.update(input_, lines_, open_volume_);
+    pressure_gradient_.update(input_, lines_, open_volume_, scene_.time);
     pressure_gradient_.set_multipliers(pressures_);
     for (std::size_t v = 0; v < vertex_count_; ++v) lines_[v].gradient -= pressure_gradient_.pull(v);
   }
@@ -152,8 +178,9 @@ double FilmEnergy::gradient(std::span<const Vec3> positions) {
   const SweepSums sums = sweep_gradient(input_, volumes_, lines_);
   area_ = sums.area;
   const double energy = sums.energy + other_terms(positions);
-  if (!constrained_.empty()) constrained_gradient_.update(input_, lines_, open_volume_);
+  if (!constrained_.empty()) constrained_gradient_.update(input_, lines_, open_volume_, scene_.time);
   add_other_gradients(positions);
+  if (!constraints_.empty()) renew_constraints(positions, {});
   return energy;
 }
 

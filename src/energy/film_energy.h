@@ -2,13 +2,16 @@
 //
 //   sum over facets of tension * area  +  sum over edges of tension * length
 //   + sum over bodies of density * G * (integral of z over the body)  -  sum over bodies of pressure * volume
+//   + sum over edges on constraints of their energies' integrals and gaps
 //
-// where the last runs over bodies of prescribed pressure. Only what the scene has is summed.
+// where pressure * volume runs over bodies of prescribed pressure. Only what the scene has is summed.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "energy/edge_integral.h"
+#include "energy/gap.h"
 #include "energy/gravity.h"
 #include "energy/open_rim.h"
 #include "energy/sweep.h"
@@ -23,8 +26,6 @@ class FilmEnergy {
  public:
   // The film must be compact.
   explicit FilmEnergy(const scene::Scene& scene);
-
-  bool stale(const scene::Scene& scene) const;
 
   // The energy at given positions; `volumes()` are refreshed too.
   double value(std::span<const Vec3> positions);
@@ -45,6 +46,16 @@ class FilmEnergy {
   const VolumeGradient& volume_gradient() const { return constrained_gradient_; }
   std::span<const film::Region> constrained() const { return constrained_; }
 
+  // The vertices that level sets and boundaries hold. `gradient` renews their directions (every one-sided
+  // constraint that is touched counts as holding) and restricts the volume gradients; `lines()` stay the
+  // plain gradient.
+  VertexConstraints& constraints() { return constraints_; }
+  const VertexConstraints& constraints() const { return constraints_; }
+  // Renews the directions by the force on each vertex, and restricts the volume gradients anew.
+  void renew_constraints(std::span<const Vec3> positions, std::span<const Vec3> force);
+  // Time at which formulas are evaluated.
+  void set_time(double time);
+
   // What the energy is made of besides the sweep, for whoever sums second derivatives.
   struct TenseEdge {
     film::Vertex tail;
@@ -60,21 +71,19 @@ class FilmEnergy {
   std::span<const double> prescribed_pressures() const { return pressures_; }  // of `pressurised`
 
  private:
-  void collect_bodies(const scene::Scene& scene);
   void collect_tense_edges(const scene::Scene& scene);
   void start(std::span<const Vec3> positions);
   double other_terms(std::span<const Vec3> positions);
   void add_other_gradients(std::span<const Vec3> positions);
 
-  film::Film film_;  // shares the arrays that input_ points into
+  scene::Scene scene_;  // its film shares the arrays that input_ points into, its formulas are bound
   SweepInput input_;
   std::size_t vertex_count_ = 0;
-  std::uint64_t tension_revision_ = 0;
-  std::uint64_t edge_tension_revision_ = 0;
   OpenVolume open_volume_ = OpenVolume::above_plane;
-  std::vector<scene::Body> bodies_;
-  scene::Gravity gravity_;
-  bool keep_volumes_ = true;
+  VertexConstraints constraints_;
+  std::vector<FieldEdge> energy_edges_;
+  std::vector<FieldEdge> content_edges_;
+  std::vector<GapEdge> gaps_;
   std::vector<RimEdge> rims_;
   std::vector<HeavyFacet> heavy_;
   std::vector<TenseEdge> tense_;

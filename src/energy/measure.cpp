@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "energy/edge_integral.h"
 #include "energy/film_energy.h"
+#include "energy/gap.h"
 #include "energy/gravity.h"
+#include "scene/constraint_sets.h"
 
 namespace lamella::energy {
 
@@ -21,6 +24,23 @@ double total_length(const film::Film& film, std::span<const double> tension, dou
     if (!tension.empty()) tense += tension[i] * l;
   }
   return sum;
+}
+
+void add_constraint_terms(const scene::Scene& scene, Measures& m) {
+  scene::Scene bound = scene;
+  scene::bind_formulas(bound);
+  const auto at = [&](film::Vertex v) { return scene.film.position(v); };
+  const int order = scene.edge_integral_order;
+  for (const FieldEdge& edge : energy_edges(bound)) {
+    m.energy += edge.times * edge_integral(*edge.field, at(edge.from), at(edge.to), scene.time, order);
+  }
+  for (const FieldEdge& edge : content_edges(bound)) {
+    m.volumes[edge.region.index] +=
+        edge.times * edge_integral(*edge.field, at(edge.from), at(edge.to), scene.time, order);
+  }
+  for (const GapEdge& gap : gap_edges(bound)) {
+    m.energy += scene.gap_constant * gap_energy(*gap.level, at(gap.tail), at(gap.head), scene.time).value;
+  }
 }
 
 }  // namespace
@@ -42,6 +62,7 @@ Measures measure(const scene::Scene& scene) {
   m.area = sums.area;
   m.energy = sums.energy;
   m.length = total_length(film, film.columns(ElementKind::edge).reals("tension"), m.energy);
+  if (!scene.level_sets.empty() || !scene.boundaries.empty()) add_constraint_terms(scene, m);
   if (scene.bodies.empty()) return m;
 
   const OpenVolume convention =
@@ -57,13 +78,16 @@ Measures measure(const scene::Scene& scene) {
 }
 
 MeasureCache::Key MeasureCache::key_of(const scene::Scene& scene) {
+  const bool formulas = !scene.level_sets.empty() || !scene.boundaries.empty();
   return {scene.film.connectivity_revision(),
           scene.film.position_revision(),
           scene.film.columns(ElementKind::facet).revision("tension"),
           scene.film.columns(ElementKind::edge).revision("tension"),
           scene.symmetric_content,
           scene.gravity.on,
-          scene.gravity.constant};
+          scene.gravity.constant,
+          formulas ? scene.variables.revision() : 0,
+          formulas ? scene.time : 0};
 }
 
 bool MeasureCache::holds(const scene::Scene& scene) const {

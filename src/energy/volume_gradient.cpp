@@ -23,15 +23,18 @@ constexpr film::RegionPair mixed{film::Region{1}, film::Region{0}};  // never so
 
 }  // namespace
 
-VolumeGradient::VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows)
-    : rows_(rows) {
+VolumeGradient::VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows,
+                               const VertexConstraints& constraints, std::span<const FieldEdge> contents,
+                               int order)
+    : rows_(rows), order_(order) {
   if (rows == 0) return;
-  find_borders(film, row_of_region);
+  find_borders(film, row_of_region, constraints, contents);
   build_pattern();
 }
 
 // A vertex all of whose labelled triangles part the same two regions lies inside a film; others are borders.
-void VolumeGradient::find_borders(const film::Film& film, std::span<const int> row_of_region) {
+void VolumeGradient::find_borders(const film::Film& film, std::span<const int> row_of_region,
+                                  const VertexConstraints& constraints, std::span<const FieldEdge> contents) {
   const film::View view = film.view();
   const std::size_t vertices = view.positions.size();
   std::vector<film::RegionPair> pair_at(vertices);
@@ -49,6 +52,10 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
   }
   const std::vector<RimEdge> rims = open_rims(film);
   for (const RimEdge& rim : rims) pair_at[rim.from.index] = pair_at[rim.to.index] = mixed;
+  for (const FieldEdge& content : contents) pair_at[content.from.index] = pair_at[content.to.index] = mixed;
+  constraints.for_each([&](std::uint32_t v) {
+    if (!(pair_at[v] == film::RegionPair{})) pair_at[v] = mixed;
+  });
 
   std::map<film::RegionPair, std::uint32_t, RegionPairOrder> known;
   place_of_vertex_.assign(vertices, none);
@@ -91,7 +98,7 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
   for (std::size_t b = 0; b < borders_.size(); ++b) {
     std::sort(rows_at[b].begin(), rows_at[b].end());
     borders_[b].first = static_cast<std::uint32_t>(slots_.size());
-    for (const int row : rows_at[b]) slots_.push_back({row, {}});
+    for (const int row : rows_at[b]) slots_.push_back({row, {}, {}});
     borders_[b].last = static_cast<std::uint32_t>(slots_.size());
   }
   const auto slot = [&](film::Vertex v, film::Region region) {
@@ -109,6 +116,10 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
   for (const RimEdge& rim : rims) {
     if (row_of_region[rim.region.index] >= 0)
       rims_.push_back({rim, slot(rim.from, rim.region), slot(rim.to, rim.region)});
+  }
+  for (const FieldEdge& content : contents) {
+    if (row_of_region[content.region.index] < 0) continue;
+    contents_.push_back({content, slot(content.from, content.region), slot(content.to, content.region)});
   }
 }
 
@@ -145,8 +156,8 @@ void VolumeGradient::build_pattern() {
   }
 }
 
-void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine> lines,
-                            OpenVolume convention) {
+void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention,
+                            double time) {
   lines_ = lines;
   for (Slot& slot : slots_) slot.gradient = {};
   for (const Corner& corner : corners_) {
@@ -162,6 +173,24 @@ void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine>
                                               input.positions[rim.edge.to.index], input.origin, convention);
     slots_[rim.from].gradient += rim.edge.times * g.from;
     slots_[rim.to].gradient += rim.edge.times * g.to;
+  }
+  for (const Content& content : contents_) {
+    const EdgeGradient g =
+        edge_integral_gradient(*content.edge.field, input.positions[content.edge.from.index],
+                               input.positions[content.edge.to.index], time, order_);
+    slots_[content.from].gradient += content.edge.times * g.from;
+    slots_[content.to].gradient += content.edge.times * g.to;
+  }
+  for (Slot& slot : slots_) slot.unrestricted = slot.gradient;
+}
+
+void VolumeGradient::restrict(const VertexConstraints& constraints) {
+  if (constraints.empty()) return;
+  for (const Border& border : borders_) {
+    if (!constraints.holds(border.vertex)) continue;
+    for (std::uint32_t s = border.first; s < border.last; ++s) {
+      slots_[s].gradient = constraints.restricted(border.vertex, slots_[s].unrestricted);
+    }
   }
 }
 

@@ -9,8 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "energy/edge_integral.h"
 #include "energy/open_rim.h"
 #include "energy/sweep.h"
+#include "energy/vertex_constraints.h"
 #include "film/film.h"
 
 namespace lamella::energy {
@@ -24,15 +26,20 @@ struct GramEntry {
 
 class VolumeGradient {
  public:
-  // row_of_region[r] is the row of region r among those wanted, or -1.
-  VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows);
+  // row_of_region[r] is the row of region r among those wanted, or -1. Vertices that `constraints` hold get
+  // lists of their own, as do the ends of edges with contents, whose integrals to degree `order` count too.
+  VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows,
+                 const VertexConstraints& constraints, std::span<const FieldEdge> contents, int order);
 
   int rows() const { return rows_; }
   const std::vector<GramEntry>& pattern() const { return pattern_; }
 
   // Refreshes the gradients; `lines` from sweep_gradient at the same positions and origin. The inner
   // vertices' gradients are read from `lines` in the calls below, so it must live on unchanged.
-  void update(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention);
+  void update(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention, double time);
+  // Takes out of the gradients what constraints forbid; after `update`, and again when directions were
+  // renewed.
+  void restrict(const VertexConstraints& constraints);
 
   // G w G^T for vertex weights w (an inverse mass; 0 holds a vertex still): one value for each pattern entry.
   void gram(std::span<const double> weights, std::span<double> values) const;
@@ -77,6 +84,7 @@ class VolumeGradient {
   struct Slot {
     int row = 0;
     Vec3 gradient;
+    Vec3 unrestricted;
   };
   struct Border {
     std::uint32_t vertex = 0;
@@ -95,9 +103,15 @@ class VolumeGradient {
     std::uint32_t from = none;  // slots
     std::uint32_t to = none;
   };
+  struct Content {
+    FieldEdge edge;
+    std::uint32_t from = none;  // slots
+    std::uint32_t to = none;
+  };
 
   Vec3 border_pull(const Border& border) const;
-  void find_borders(const film::Film& film, std::span<const int> row_of_region);
+  void find_borders(const film::Film& film, std::span<const int> row_of_region,
+                    const VertexConstraints& constraints, std::span<const FieldEdge> contents);
   void build_pattern();
 
   int rows_ = 0;
@@ -108,6 +122,8 @@ class VolumeGradient {
   std::vector<Slot> slots_;
   std::vector<Corner> corners_;
   std::vector<Rim> rims_;
+  std::vector<Content> contents_;
+  int order_ = 3;
   std::vector<GramEntry> pattern_;
   std::vector<int> border_entries_;
   std::vector<double> pair_factor_;  // multiplier of the high row minus that of the low one

@@ -28,26 +28,63 @@ Ending start_at_targets(scene::Scene& scene) {
   return problem.restore_volumes(scene.film.edit_positions(), energy);
 }
 
+// Makes steps one after the other and keeps account of them.
+class Walk {
+ public:
+  Walk(scene::Scene& scene, const StepSize& size, scene::Monitor& monitor)
+      : motion_(scene), size_(size), monitor_(monitor) {}
+
+  EvolveReport run(long steps);
+
+ private:
+  Ending advance(double dt, long steps);
+
+  Motion motion_;
+  const StepSize& size_;
+  scene::Monitor& monitor_;
+  EvolveReport report_;
+};
+
 // Moves by `dt` in pieces below the bound, halving a piece that fails.
-Ending advance(Motion& motion, double dt, double fraction, EvolveReport& report) {
+Ending Walk::advance(double dt, long steps) {
+  const double fraction = size_.fixed ? substep_fraction : 1.0;
   double left = dt;
   int halvings = 0;
   while (left > 1e-12 * dt) {
-    const double pieces = std::ceil(left / (fraction * motion.bound()) * (1 - 1e-12));
+    monitor_.progress(report_.steps, steps, motion_.energy());
+    if (monitor_.stop_requested()) return Ending::stopped;
+    const double pieces = std::ceil(left / (fraction * motion_.bound()) * (1 - 1e-12));
     const double piece = std::ldexp(left / std::max(1.0, pieces), -halvings);
-    const Ending ending = motion.step(piece);
+    const Ending ending = motion_.step(piece);
     if (ending != Ending::step_limit) {
-      ++report.undone;
+      ++report_.undone;
       if (++halvings > most_halvings) return ending;
       continue;
     }
     halvings = std::max(0, halvings - 1);
     left -= piece;
-    ++report.substeps;
-    report.smallest_dt = report.smallest_dt == 0 ? piece : std::min(report.smallest_dt, piece);
-    report.largest_dt = std::max(report.largest_dt, piece);
+    ++report_.substeps;
+    report_.smallest_dt = report_.smallest_dt == 0 ? piece : std::min(report_.smallest_dt, piece);
+    report_.largest_dt = std::max(report_.largest_dt, piece);
   }
+  ++report_.steps;
   return Ending::step_limit;
+}
+
+EvolveReport Walk::run(long steps) {
+  while (report_.steps < steps && report_.ending == Ending::step_limit) {
+    if (!std::isfinite(motion_.bound()) && !size_.fixed) {
+      report_.ending = Ending::converged;  // nothing in the scene can move
+      break;
+    }
+    report_.ending = advance(size_.fixed ? *size_.fixed : size_.fraction * motion_.bound(), steps);
+  }
+  motion_.store();
+  report_.bound = motion_.bound();
+  report_.energy = motion_.energy();
+  report_.kinetic = motion_.kinetic();
+  report_.volume_error = motion_.volume_error();
+  return report_;
 }
 
 }  // namespace
@@ -55,26 +92,7 @@ Ending advance(Motion& motion, double dt, double fraction, EvolveReport& report)
 EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor) {
   EvolveReport report;
   report.ending = start_at_targets(scene);
-  if (report.ending != Ending::converged) return report;
-  Motion motion(scene);
-  report.ending = Ending::step_limit;
-  for (long i = 0; i < steps && report.ending == Ending::step_limit; ++i) {
-    if (!std::isfinite(motion.bound()) && !size.fixed) {
-      report.ending = Ending::converged;  // nothing in the scene can move
-      break;
-    }
-    const double dt = size.fixed ? *size.fixed : size.fraction * motion.bound();
-    report.ending = advance(motion, dt, size.fixed ? substep_fraction : 1.0, report);
-    if (report.ending == Ending::step_limit) ++report.steps;
-    monitor.progress(i + 1, steps, motion.energy());
-    if (monitor.stop_requested()) report.ending = Ending::stopped;
-  }
-  motion.store();
-  report.bound = motion.bound();
-  report.energy = motion.energy();
-  report.kinetic = motion.kinetic();
-  report.volume_error = motion.volume_error();
-  return report;
+  return report.ending == Ending::converged ? Walk(scene, size, monitor).run(steps) : report;
 }
 
 double stability_bound(const scene::Scene& scene) {

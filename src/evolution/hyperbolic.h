@@ -48,8 +48,9 @@ struct EvolveReport {
 };
 
 // Moves the film by `steps` steps. Positions, the vertex columns "velocity" and "mass", the time and the
-// pressures of the scene follow. Stops between steps when the monitor asks. If a step cannot be made even
-// after halving it repeatedly, the film stays in its last valid state and the ending says why.
+// pressures of the scene follow. Stops between steps (or the parts of one) when the monitor asks. If a step
+// cannot be made even after halving it repeatedly, the film stays in its last valid state and the ending says
+// why.
 EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor);
 
 // The largest step for which linear theory promises stability at the scene's present shape: 2/sqrt(max

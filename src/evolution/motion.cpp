@@ -13,8 +13,8 @@ using solve::Ending;
 
 constexpr int most_volume_passes = 8;
 constexpr double volume_tolerance = 1e-12;  // relative
-// One pass squares the relative error and more, so after a pass from here the volumes need no second look.
-constexpr double last_pass_error = 1e-8;
+// The volumes need no second look after a pass that leaves less than this by its expected rate.
+constexpr double most_left_unseen = 2e-12;
 // A step may raise the total energy by this part of it before it counts as a failure: a symplectic step below
 // the bound wobbles by far less, an unstable one grows without limit.
 constexpr double most_energy_rise = 0.02;
@@ -75,6 +75,19 @@ void Motion::kick_and_drift(double dt) {
   }
 }
 
+// Puts held vertices onto their constraints at the end of the step; what that moves them is velocity, too.
+bool Motion::keep_constraints(double dt) {
+  energy::VertexConstraints& constraints = terms_.constraints();
+  if (constraints.empty()) return true;
+  if (!constraints.project(next_x_)) return false;
+  constraints.for_each([&](std::uint32_t v) {
+    next_kinetic_ -= 0.5 * masses_[v] * squared_length(next_v_[v]);
+    next_v_[v] = (next_x_[v] - x_[v]) / dt;
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+  });
+  return true;
+}
+
 // Adds the impulse of the multipliers along the volume gradients at the start of the step.
 void Motion::correct(double dt) {
   energy::VolumeGradient& volume = terms_.volume_gradient();
@@ -91,6 +104,7 @@ void Motion::correct(double dt) {
 
 bool Motion::keep_volumes(double dt) {
   next_pressures_ = pressures_;
+  double before = 0;
   for (int pass = 0; pass < most_volume_passes; ++pass) {
     terms_.value(next_x_);
     double worst = 0;
@@ -104,30 +118,41 @@ bool Motion::keep_volumes(double dt) {
     if (worst < volume_tolerance) return true;
     gram_.solve(errors_, multipliers_);
     correct(dt);
-    if (worst < last_pass_error) return true;
+    if (before > 0) pass_rate_ = worst / before;
+    if (worst * pass_rate_ < most_left_unseen) return true;
+    before = worst;
   }
   return false;
 }
 
-// Blowing up a body by a moving target puts energy in; otherwise only forces of the scene's own energy act.
+// Blowing up a body by a moving target puts energy in, as do constraints that move; otherwise only forces of
+// the scene's own energy act.
 bool Motion::rises_from_nowhere(double energy, double kinetic) const {
+  if (terms_.constraints().moves()) return false;
   const bool inflating = std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
                                      [](const scene::Body& body) { return body.ramp.has_value(); });
   const double before = energy_ + kinetic_;
   return !inflating && energy + kinetic > before + most_energy_rise * std::abs(before);
 }
 
+// Back to the start of the step, whose linearisation trials have overwritten.
+Ending Motion::undo(Ending why) {
+  terms_.set_time(scene_.time);
+  energy_ = terms_.gradient(x_);
+  sound_ = linearise();
+  return why;
+}
+
 Ending Motion::step(double dt) {
   if (!sound_) return std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite;
   kick_and_drift(dt);
-  if (!errors_.empty() && !keep_volumes(dt)) return Ending::volume_lost;
+  terms_.set_time(scene_.time + dt);
+  if (!keep_constraints(dt)) return undo(Ending::constraint_lost);
+  if (!errors_.empty() && !keep_volumes(dt)) return undo(Ending::volume_lost);
   const double energy = terms_.gradient(next_x_);
   const bool finite = std::isfinite(energy + next_kinetic_);
-  if (!finite || rises_from_nowhere(energy, next_kinetic_)) {
-    energy_ = terms_.gradient(x_);
-    sound_ = linearise();
-    return finite ? Ending::stuck : Ending::not_finite;
-  }
+  if (!finite) return undo(Ending::not_finite);
+  if (rises_from_nowhere(energy, next_kinetic_)) return undo(Ending::stuck);
   std::swap(x_, next_x_);
   std::swap(v_, next_v_);
   std::swap(pressures_, next_pressures_);

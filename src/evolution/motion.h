@@ -44,6 +44,8 @@ class Motion {
   bool linearise();
   void kick_and_drift(double dt);
   void correct(double dt);
+  bool keep_constraints(double dt);
+  solve::Ending undo(solve::Ending why);
   bool keep_volumes(double dt);
   bool rises_from_nowhere(double energy, double kinetic) const;
 
@@ -65,6 +67,7 @@ class Motion {
   double kinetic_ = 0;
   double next_kinetic_ = 0;
   double bound_ = 0;
+  double pass_rate_ = 1;  // how much of a volume error a correction leaves
   bool sound_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "energy/mesh_quality.h"
+#include "scene/constraint_sets.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
 
@@ -49,9 +50,10 @@ bool Relaxer::meet_targets() {
   solve::Problem problem(scene_);
   bool ok = false;
   report_.energy = problem.linearise(scene_.film.positions(), ok);
-  if (ok && problem.volume_error() < 1e-12) return true;
+  if (ok && problem.volume_error() < 1e-12 && problem.energy().constraints().empty()) return true;
   if (ok) ok = problem.restore_volumes(scene_.film.edit_positions(), report_.energy) == Ending::converged;
   if (!ok) report_.ending = std::isfinite(report_.energy) ? Ending::volume_lost : Ending::not_finite;
+  problem.publish(scene_);
   return ok;
 }
 
@@ -82,6 +84,7 @@ bool Relaxer::keep_mesh() {
       if (made == 0) break;
     }
     surgery::average_vertices(scene_.film);
+    scene::constrain_vertices(scene_);
     const double after = energy::smallest_angle(scene_.film);
     if (after > fit_angle || (pass > 0 && after < before)) break;
     before = after;

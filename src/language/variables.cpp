@@ -1,5 +1,7 @@
 #include "language/variables.h"
 
+#include <atomic>
+
 #include "text/suggest.h"
 
 namespace lamella::language {
@@ -34,6 +36,8 @@ const Variable* Variables::get(VariableId id) const {
 }
 
 Variable& Variables::row(VariableId id) {
+  static std::atomic<std::uint64_t> last_revision{0};
+  revision_ = ++last_revision;
   if (id.row >= values_.size()) values_.resize(id.row + 1);
   return values_[id.row];
 }

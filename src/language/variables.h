@@ -54,6 +54,8 @@ class Variables {
   void set(VariableId id, Value value);
   void mark_parameter(VariableId id);
   void undefine(VariableId id);
+  // Changes with every change of a value; equal for copies.
+  std::uint64_t revision() const { return revision_; }
   // In order of first mention; undefined rows included.
   std::size_t rows() const { return values_.size(); }
   // Calls function(VariableId, const Variable&) for each defined variable, in that order.
@@ -71,6 +73,7 @@ class Variables {
 
   std::shared_ptr<VariableNames> names_;
   std::vector<Variable> values_;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace lamella::language

@@ -12,6 +12,7 @@
 #include "film/film.h"
 #include "language/procedure.h"
 #include "language/variables.h"
+#include "scene/constraint.h"
 
 namespace lamella::scene {
 
@@ -63,6 +64,10 @@ struct Scene {
   film::Columns body_columns;  // user attributes of bodies
   language::Variables variables;
   language::Procedures procedures;
+  LevelSets level_sets;
+  Boundaries boundaries;
+  double gap_constant = 1;      // of the gap energy at convex constraints
+  int edge_integral_order = 3;  // polynomials up to this degree are integrated exactly along edges
   Gravity gravity;
   DescentScale scale;
   bool keep_volumes = true;  // vc on|off

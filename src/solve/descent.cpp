@@ -23,6 +23,7 @@ Descent::Descent(Problem& problem)
 
 void Descent::place(std::span<Vec3> x, double scale) const {
   for (std::size_t v = 0; v < from_.size(); ++v) x[v] = from_[v] + scale * direction_[v];
+  problem_.constrain(x);
 }
 
 DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double limit) {

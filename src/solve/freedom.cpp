@@ -4,6 +4,7 @@
 
 #include "film/normals.h"
 #include "film/vertex_place.h"
+#include "scene/constraint.h"
 
 namespace lamella::solve {
 
@@ -11,9 +12,15 @@ Freedom::Freedom(const film::Film& film, MotionKind kind) : film_(film) {
   if (kind == MotionKind::full) return;
   film_.edit_position_rows() = {};
   kind_.resize(film.vertex_rows(), Kind::free);
+  const film::Columns& columns = film.columns(film::ElementKind::vertex);
+  const film::Column* const levels = columns.find(scene::constraint_column);
+  const film::Column* const boundaries = columns.find(scene::boundary_column);
   for (std::uint32_t v = 0; v < kind_.size(); ++v) {
     const film::VertexPlace place = film::place_of(film, film::Vertex(v));
-    if (place.kind == film::PlaceKind::inside) kind_[v] = Kind::along;
+    // A film that a constraint holds inside cannot follow its normal; there the constraint alone decides.
+    const bool held =
+        (levels != nullptr && levels->value(v) != 0) || (boundaries != nullptr && boundaries->value(v) != 0);
+    if (place.kind == film::PlaceKind::inside && !held) kind_[v] = Kind::along;
     if (place.kind != film::PlaceKind::line) continue;
     kind_[v] = Kind::square;
     lines_.push_back({v, place.neighbours[0].index, place.neighbours[1].index});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/cotangent.h"
+
 namespace lamella::solve {
 
 namespace {
@@ -11,8 +13,6 @@ namespace {
 // film floats freely, next to nothing where wires hold it.
 constexpr double free_shift = 1e-2;
 constexpr double held_shift = 1e-8;
-// The smallest weight an edge may have, as a part of an equilateral triangle's.
-constexpr double least_weight = 1e-3;
 
 }  // namespace
 
@@ -62,34 +62,16 @@ Laplacian::Laplacian(const scene::Scene& scene, std::span<const double> weights)
 }
 
 bool Laplacian::factorise(std::span<const Vec3> x) {
-  std::fill(edge_weight_.begin(), edge_weight_.end(), 0.0);
-  std::fill(mass_.begin(), mass_.end(), 0.0);
-  double total_area = 0;
-  const film::Connectivity& c = film_.connectivity();
-  for (std::size_t t = 0; t < c.triangle_vertices.size(); ++t) {
-    const auto& corner = c.triangle_vertices[t];
-    const double tension = tension_.empty() ? 1.0 : tension_[t];
-    const Vec3& p0 = x[corner[0].index];
-    const Vec3& p1 = x[corner[1].index];
-    const Vec3& p2 = x[corner[2].index];
-    const double doubled = length(cross(p1 - p0, p2 - p0));
-    if (!(doubled > 0)) continue;
-    const double half = 0.5 * tension / doubled;
-    edge_weight_[c.triangle_edges[t][0].edge().index] += half * dot(p0 - p2, p1 - p2);
-    edge_weight_[c.triangle_edges[t][1].edge().index] += half * dot(p1 - p0, p2 - p0);
-    edge_weight_[c.triangle_edges[t][2].edge().index] += half * dot(p2 - p1, p0 - p1);
-    total_area += doubled / 2;
-    for (const film::Vertex v : corner) mass_[v.index] += tension * doubled / 6;
-  }
-  if (!(total_area > 0) || !std::isfinite(total_area)) return false;
+  const double total_area = cotangent_weights(film_, tension_, x, edge_weight_, mass_);
+  if (!std::isfinite(total_area)) return false;
 
-  const double shift = shift_ / total_area * 4 * M_PI;
+  const double shift = total_area > 0 ? shift_ / total_area * 4 * M_PI : 0;
   for (std::size_t i = 0; i < vertex_of_row_.size(); ++i) {
     const double mass = mass_[vertex_of_row_[i]];
     matrix_.value[static_cast<std::size_t>(matrix_.column_start[i])] = shift * mass + (mass > 0 ? 0 : 1);
   }
   for (std::uint32_t e = 0; e < edge_weight_.size(); ++e) {
-    const double weight = std::max(edge_weight_[e], least_weight);
+    const double weight = std::max(edge_weight_[e], least_cotangent_weight);
     const int entry = entry_of_edge_[e];
     if (entry >= 0) matrix_.value[static_cast<std::size_t>(entry)] = -weight;
     for (const film::Vertex v : film_.ends(film::Edge(e))) {

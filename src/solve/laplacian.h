@@ -13,6 +13,7 @@
 
 #include "film/film.h"
 #include "scene/scene.h"
+#include "solve/metric.h"
 #include "solve/sparse_factor.h"
 
 namespace lamella::solve {
@@ -20,7 +21,7 @@ namespace lamella::solve {
 using film::Vec3;
 
 // On the vertices that may move; the others are held at zero.
-class Laplacian {
+class Laplacian : public Metric {
  public:
   // Finds the pattern and the ordering for a compact film's present connectivity.
   Laplacian(const scene::Scene& scene, std::span<const double> weights);
@@ -28,10 +29,10 @@ class Laplacian {
   // Assembles and factorises at x. A film without any fixed vertex has a singular L (it may move freely), so
   // a part of the mass matrix is added; obtuse triangles with their negative weights are tamed. False if not
   // positive definite.
-  bool factorise(std::span<const Vec3> x);
+  bool factorise(std::span<const Vec3> x) override;
 
   // field = L^-1 field, each axis by itself; zero at held vertices.
-  void solve(std::span<Vec3> field);
+  void solve(std::span<Vec3> field) override;
 
  private:
   film::Film film_;

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "solve/laplacian.h"
+#include "solve/vector_laplacian.h"
 
 namespace lamella::solve {
 
@@ -27,6 +28,11 @@ void add_scaled(Field& a, double factor, const Field& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
 }
 
+std::unique_ptr<Metric> metric_for(Problem& problem, const scene::Scene& scene) {
+  if (problem.energy().constraints().empty()) return std::make_unique<Laplacian>(scene, problem.weights());
+  return std::make_unique<VectorLaplacian>(scene, problem.weights(), problem.energy().constraints());
+}
+
 // A step taken and what it did to the gradient.
 struct Pair {
   Field step;
@@ -38,7 +44,7 @@ class Minimiser {
  public:
   Minimiser(Problem& problem, const scene::Scene& scene, std::span<Vec3> x, MotionKind motion)
       : problem_(problem),
-        laplacian_(scene, problem.weights()),
+        metric_(metric_for(problem, scene)),
         freedom_(scene.film, motion),
         x_(x),
         from_(x.size()),
@@ -49,7 +55,7 @@ class Minimiser {
   LbfgsReport run(const LbfgsOptions& options, scene::Monitor& monitor);
 
  private:
-  bool start();
+  Ending start();
   bool renew();
   void find_force();
   void find_direction();
@@ -57,7 +63,7 @@ class Minimiser {
   void remember();
 
   Problem& problem_;
-  Laplacian laplacian_;
+  std::unique_ptr<Metric> metric_;
   Freedom freedom_;
   std::span<Vec3> x_;
   Field from_;
@@ -74,13 +80,14 @@ class Minimiser {
   bool strict_ = false;
 };
 
-// At x with its volumes right: energy, force and a fresh metric.
-bool Minimiser::start() {
+// At x with its volumes right: energy, force and a fresh metric. Anything but Ending::converged means that it
+// cannot go on from here.
+Ending Minimiser::start() {
   bool ok = false;
   energy_ = problem_.linearise(x_, ok);
-  if (!ok) return false;
+  if (!ok) return std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite;
   memory_.clear();
-  return renew();
+  return renew() ? Ending::converged : Ending::stuck;
 }
 
 // A new metric and, as directions of motion change, a new force; what was learnt in other directions is of
@@ -89,7 +96,7 @@ bool Minimiser::renew() {
   since_renewal_ = 0;
   freedom_.renew(x_);
   find_force();
-  return laplacian_.factorise(x_);
+  return metric_->factorise(x_);
 }
 
 void Minimiser::find_force() {
@@ -106,7 +113,7 @@ void Minimiser::find_direction() {
     add_scaled(direction_, -alpha[i], memory_[i].change);
   }
   problem_.project(direction_);
-  laplacian_.solve(direction_);
+  metric_->solve(direction_);
   if (strict_) freedom_.restrict(direction_);
   problem_.project(direction_);
   for (std::size_t i = 0; i < memory_.size(); ++i) {
@@ -158,19 +165,19 @@ LbfgsReport Minimiser::run(const LbfgsOptions& options, scene::Monitor& monitor)
     report.energy = energy_;
     return report;
   };
-  if (!start()) return end(std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite);
+  if (const Ending ready = start(); ready != Ending::converged) return end(ready);
   bool fresh = true;
   while (true) {
     find_direction();
     if (!std::isfinite(slope_)) return end(Ending::not_finite);
-    report.residual = -0.5 * slope_ / std::abs(energy_);
+    report.residual = slope_ == 0 ? 0 : -0.5 * slope_ / std::abs(energy_);
     if (std::abs(report.residual) < options.tolerance) return end(Ending::converged);
     if (report.iterations == options.most_iterations) return end(Ending::step_limit);
     double energy = energy_;
     if (!(slope_ < 0) || !search(energy)) {
       if (fresh && strict_) return end(Ending::stuck);
       strict_ = fresh;
-      if (!start()) return end(Ending::volume_lost);
+      if (const Ending ready = start(); ready != Ending::converged) return end(ready);
       fresh = true;
       continue;
     }

@@ -35,6 +35,8 @@ std::string_view describe(Ending ending) {
       return "a number is no longer finite";
     case Ending::volume_lost:
       return "the volumes cannot be brought to their targets";
+    case Ending::constraint_lost:
+      return "vertices cannot be brought onto their constraints";
   }
   return "";
 }
@@ -50,7 +52,7 @@ Problem::Problem(const scene::Scene& scene)
   pressures_.resize(rows);
   errors_.resize(rows);
   multipliers_.resize(rows);
-  if (rows > 0) gradient_.resize(vertex_count());
+  if (rows > 0 || energy_.constraints().one_sided()) gradient_.resize(vertex_count());
   set_targets(scene);
 }
 
@@ -70,23 +72,43 @@ bool Problem::factorise() {
 double Problem::linearise(std::span<const Vec3> x, bool& ok) {
   const double energy = energy_.gradient(x);
   ok = std::isfinite(energy);
-  if (!ok || targets_.empty()) return energy;
+  if (!ok) return energy;
   const std::span<const energy::VertexLine> lines = energy_.lines();
   for (std::size_t v = 0; v < gradient_.size(); ++v) gradient_[v] = lines[v].gradient;
-  ok = factorise();
-  if (!ok) return energy;
+  ok = find_pressures();
+  if (!ok || !energy_.constraints().one_sided()) return energy;
+  // One-sided constraints that the force pulls away from let go; pressures follow.
+  std::vector<Vec3> force(x.size());
+  energy_.volume_gradient().set_multipliers(pressures_);
+  for (std::size_t v = 0; v < force.size(); ++v) {
+    force[v] = (targets_.empty() ? Vec3{} : energy_.volume_gradient().pull(v)) - lines[v].gradient;
+  }
+  energy_.renew_constraints(x, force);
+  ok = find_pressures();
+  return energy;
+}
+
+bool Problem::find_pressures() {
+  if (targets_.empty()) return true;
+  if (!factorise()) return false;
   energy_.volume_gradient().dot(weights_, gradient_, errors_);
   gram_.solve(errors_, pressures_);
-  return energy;
+  return true;
+}
+
+bool Problem::constrain(std::span<Vec3> x) {
+  return energy_.constraints().empty() || energy_.constraints().project(x);
 }
 
 double Problem::descent_direction(std::span<Vec3> direction) {
   const std::span<const energy::VertexLine> lines = energy_.lines();
   energy::VolumeGradient& volume = energy_.volume_gradient();
   volume.set_multipliers(pressures_);
+  const energy::VertexConstraints& constraints = energy_.constraints();
   double squared = 0;
   for (std::size_t v = 0; v < direction.size(); ++v) {
-    const Vec3 force = targets_.empty() ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
+    Vec3 force = targets_.empty() ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
+    if (!constraints.empty()) force = constraints.restricted(static_cast<std::uint32_t>(v), force);
     direction[v] = weights_[v] * force;
     squared += squared_length(direction[v]);
   }
@@ -95,6 +117,7 @@ double Problem::descent_direction(std::span<Vec3> direction) {
 
 void Problem::project(std::span<Vec3> field) {
   for (std::size_t v = 0; v < field.size(); ++v) field[v] *= weights_[v];
+  energy_.constraints().restrict(field);
   if (targets_.empty()) return;
   energy_.volume_gradient().dot(weights_, field, errors_);
   gram_.solve(errors_, multipliers_);
@@ -128,6 +151,7 @@ double Problem::volume_error() const {
 }
 
 Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode mode) {
+  if (!constrain(x)) return Ending::constraint_lost;
   if (targets_.empty()) {
     energy = energy_.value(x);
     return std::isfinite(energy) ? Ending::converged : Ending::not_finite;
@@ -151,6 +175,7 @@ Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode m
     gram_.solve(errors_, multipliers_);
     energy_.volume_gradient().set_multipliers(multipliers_);
     for (std::size_t v = 0; v < x.size(); ++v) x[v] += weights_[v] * energy_.volume_gradient().pull(v);
+    if (!constrain(x)) return Ending::constraint_lost;
   }
   return volume_error() < 1e-9 ? Ending::converged : Ending::volume_lost;
 }
@@ -164,6 +189,7 @@ void Problem::limit(std::span<double> errors) const {
 }
 
 void Problem::publish(scene::Scene& scene) const {
+  if (!energy_.constraints().empty()) energy_.constraints().publish(scene);
   for (std::size_t i = 0; i < targets_.size(); ++i)
     scene.body(energy_.constrained()[i]).pressure = pressures_[i];
 }

@@ -17,11 +17,12 @@ using film::Vec3;
 // How a computation ended. Everything but the first three is a failure the caller reports.
 enum class Ending {
   converged,
-  step_limit,   // as many steps as were asked for
-  stopped,      // by Ctrl-C
-  stuck,        // no step along the gradient lowers the energy, though the residual is not small
-  not_finite,   // energy or gradient is not a number
-  volume_lost,  // the volumes could not be brought to their targets
+  step_limit,       // as many steps as were asked for
+  stopped,          // by Ctrl-C
+  stuck,            // no step along the gradient lowers the energy, though the residual is not small
+  not_finite,       // energy or gradient is not a number
+  volume_lost,      // the volumes could not be brought to their targets
+  constraint_lost,  // vertices could not be put onto their constraints
 };
 
 std::string_view describe(Ending ending);
@@ -56,6 +57,9 @@ class Problem {
   // Takes out of a field what changes volumes to first order, and what would move fixed vertices.
   void project(std::span<Vec3> field);
 
+  // Puts x onto the constraints of its vertices. False where that fails.
+  bool constrain(std::span<Vec3> x);
+
   // energy - sum pressures * (volume - target), with the pressures of the last `linearise`.
   double merit(std::span<const Vec3> x);
 
@@ -67,11 +71,12 @@ class Problem {
   // energy at x. Ending::converged or volume_lost or not_finite.
   Ending restore_volumes(std::span<Vec3> x, double& energy, RestoreMode mode = RestoreMode::renew_gradients);
 
-  // Writes pressures to the scene's bodies.
+  // Writes pressures to the scene's bodies, and the parameters of vertices on boundaries.
   void publish(scene::Scene& scene) const;
 
  private:
   bool factorise();
+  bool find_pressures();
   void volume_errors(std::span<double> errors) const;
   void limit(std::span<double> errors) const;
 

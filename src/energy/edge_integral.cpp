@@ -1,0 +1,155 @@
+#include "energy/edge_integral.h"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "scene/constraint_sets.h"
+
+namespace lamella::energy {
+
+using film::Edge;
+using film::ElementKind;
+using scene::EdgeIntegrand;
+
+namespace {
+
+struct GaussPoint {
+  double at = 0.5;
+  double weight = 1;
+};
+
+// Gauss and Legendre's points on [0, 1]: n of them are exact up to degree 2n-1. Roots of the Legendre
+// polynomial by Newton's method.
+std::vector<GaussPoint> gauss_points(int order) {
+  const int n = std::max(1, (order + 2) / 2);
+  std::vector<GaussPoint> points;
+  for (int i = 0; i < n; ++i) {
+    double x = std::cos(M_PI * (i + 0.75) / (n + 0.5));
+    double slope = 1;
+    for (int step = 0; step < 100; ++step) {
+      double p0 = 1;
+      double p1 = x;
+      for (int k = 2; k <= n; ++k) {
+        const double p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
+        p0 = p1;
+        p1 = p2;
+      }
+      slope = n * (x * p1 - p0) / (x * x - 1);
+      const double change = p1 / slope;
+      x -= change;
+      if (std::abs(change) < 1e-16) break;
+    }
+    points.push_back({0.5 * (1 - x), 1 / ((1 - x * x) * slope * slope)});
+  }
+  return points;
+}
+
+const std::vector<GaussPoint>& rule(int order) {
+  static thread_local std::vector<std::vector<GaussPoint>> rules;
+  const auto row = static_cast<std::size_t>(std::max(1, order));
+  if (rules.size() <= row) rules.resize(row + 1);
+  if (rules[row].empty()) rules[row] = gauss_points(order);
+  return rules[row];
+}
+
+// Sums of a level set's or boundary's fields over an element's constraints.
+template <class Function>
+void for_each_field(const scene::Scene& scene, Edge e, bool content, Function&& function) {
+  for (const int number : scene::constraints_of(scene, ElementKind::edge, e.index)) {
+    const auto at = scene.level_sets.find(std::abs(number));
+    if (at == scene.level_sets.end()) continue;
+    const auto& field = content ? at->second.content : at->second.energy;
+    if (field) function(*field, number < 0 ? -1.0 : 1.0);
+  }
+  const auto boundary = scene.boundaries.find(scene::boundary_of(scene, ElementKind::edge, e.index));
+  if (boundary == scene.boundaries.end()) return;
+  const auto& field = content ? boundary->second.content : boundary->second.energy;
+  if (field) function(*field, 1.0);
+}
+
+bool any_field(const scene::Scene& scene, bool content) {
+  for (const auto& [number, set] : scene.level_sets) {
+    if (content ? set.content.has_value() : set.energy.has_value()) return true;
+  }
+  for (const auto& [number, boundary] : scene.boundaries) {
+    if (content ? boundary.content.has_value() : boundary.energy.has_value()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+double edge_integral(const EdgeIntegrand& field, const Vec3& from, const Vec3& to, double time, int order) {
+  const Vec3 d = to - from;
+  double sum = 0;
+  for (const GaussPoint& point : rule(order)) {
+    const Vec3 p = from + point.at * d;
+    const std::array<double, 3> at{p.x, p.y, p.z};
+    for (int i = 0; i < 3; ++i) {
+      const language::Formula& f = field[static_cast<std::size_t>(i)];
+      if (f) sum += point.weight * d[i] * f.value({at, time, {}});
+    }
+  }
+  return sum;
+}
+
+EdgeGradient edge_integral_gradient(const EdgeIntegrand& field, const Vec3& from, const Vec3& to, double time,
+                                    int order) {
+  const Vec3 d = to - from;
+  EdgeGradient result;
+  for (const GaussPoint& point : rule(order)) {
+    const Vec3 p = from + point.at * d;
+    const std::array<double, 3> at{p.x, p.y, p.z};
+    for (int i = 0; i < 3; ++i) {
+      const language::Formula& f = field[static_cast<std::size_t>(i)];
+      if (!f) continue;
+      const language::Jet jet = f.gradient({at, time, {}});
+      result.value += point.weight * d[i] * jet.value;
+      const Vec3 slope = (point.weight * d[i]) * Vec3{jet.gradient[0], jet.gradient[1], jet.gradient[2]};
+      result.from += (1 - point.at) * slope;
+      result.to += point.at * slope;
+      result.from[i] -= point.weight * jet.value;
+      result.to[i] += point.weight * jet.value;
+    }
+  }
+  return result;
+}
+
+std::vector<FieldEdge> energy_edges(const scene::Scene& scene) {
+  std::vector<FieldEdge> edges;
+  if (!any_field(scene, false)) return edges;
+  for (std::uint32_t i = 0; i < scene.film.edge_rows(); ++i) {
+    const Edge e(i);
+    if (!scene.film.alive(e)) continue;
+    for_each_field(scene, e, false, [&](const EdgeIntegrand& field, double times) {
+      edges.push_back({&field, scene.film.ends(e)[0], scene.film.ends(e)[1], times, {}});
+    });
+  }
+  return edges;
+}
+
+std::vector<FieldEdge> content_edges(const scene::Scene& scene) {
+  std::vector<FieldEdge> edges;
+  if (!any_field(scene, true)) return edges;
+  for (std::uint32_t i = 0; i < scene.film.edge_rows(); ++i) {
+    const Edge e(i);
+    if (!scene.film.alive(e)) continue;
+    for_each_field(scene, e, true, [&](const EdgeIntegrand& field, double times) {
+      const auto add = [&](film::Region region, double sign) {
+        if (!region.outside())
+          edges.push_back({&field, scene.film.ends(e)[0], scene.film.ends(e)[1], sign, region});
+      };
+      scene.film.for_each_side(e, [&](film::Side s) {
+        const double along = scene.film.edge_of(s).reversed() ? -times : times;
+        const film::RegionPair pair = scene.film.regions(s.triangle());
+        if (pair.behind == pair.front) return;
+        add(pair.behind, along);
+        add(pair.front, -along);
+      });
+    });
+  }
+  return edges;
+}
+
+}  // namespace lamella::energy

@@ -1,0 +1,40 @@
+// Vector fields integrated along straight edges: what constraints add to energies and volumes.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace lamella::energy {
+
+using film::Vec3;
+
+// The integral of a field along the segment from `from` to `to`, by Gauss's rule with as many points as
+// integrate polynomials of degree `order` exactly.
+double edge_integral(const scene::EdgeIntegrand& field, const Vec3& from, const Vec3& to, double time,
+                     int order);
+
+struct EdgeGradient {
+  double value = 0;
+  Vec3 from;
+  Vec3 to;
+};
+EdgeGradient edge_integral_gradient(const scene::EdgeIntegrand& field, const Vec3& from, const Vec3& to,
+                                    double time, int order);
+
+// An edge that a field is integrated along, so many times (negative: against its direction).
+struct FieldEdge {
+  const scene::EdgeIntegrand* field = nullptr;
+  film::Vertex from;
+  film::Vertex to;
+  double times = 1;
+  film::Region region;  // of a content: the region whose volume gets it
+};
+
+// The edges with constraint energies, and those with contents, a row for each region that they bound: a
+// content is added to a body behind a facet (normal outward) whose side runs along the edge, and taken from
+// the one in front. Fields point into the scene's constraints, which must live on and be bound.
+std::vector<FieldEdge> energy_edges(const scene::Scene& scene);
+std::vector<FieldEdge> content_edges(const scene::Scene& scene);
+
+}  // namespace lamella::energy

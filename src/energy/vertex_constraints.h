@@ -1,0 +1,79 @@
+// The vertices that level sets and boundaries hold, and the motions they leave them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace lamella::energy {
+
+using film::Vec3;
+
+// A scene without constraints has none of this: `empty` is all that is asked.
+class VertexConstraints {
+ public:
+  // Formulas are bound to the scene's present variables; its time is the one at which they are evaluated.
+  VertexConstraints() = default;
+  explicit VertexConstraints(const scene::Scene& scene);
+
+  bool empty() const { return held_.empty(); }
+  bool one_sided() const { return one_sided_; }
+  // Whether some formula depends on the time.
+  bool moves() const { return moves_; }
+  // Whether a vertex is held.
+  bool holds(std::uint32_t vertex) const { return !index_.empty() && index_[vertex] != none; }
+  // Formulas that depend on time are evaluated at this time from now on.
+  void set_time(double time) { scene_.time = time; }
+
+  // The directions left at x. One-sided constraints hold where the vertex is on (or beyond) the level and
+  // `force` (a row a vertex, may be empty: all of them hold) pushes it outward.
+  void renew(std::span<const Vec3> x, std::span<const Vec3> force = {});
+  // Takes out of a vector at a vertex what its constraints forbid.
+  Vec3 restricted(std::uint32_t vertex, const Vec3& vector) const {
+    return holds(vertex) ? restricted_by(held_[index_[vertex]], vector) : vector;
+  }
+  void restrict(std::span<Vec3> field) const;
+
+  // An orthonormal set of the directions left to a held vertex; returns how many.
+  int allowed(std::uint32_t vertex, std::array<Vec3, 3>& directions) const;
+
+  // Puts the held vertices of x onto their constraints. A fixed vertex on a boundary goes where its
+  // parameters are now (a boundary may move in time), one on a level set stays. False if one of them cannot
+  // be put there.
+  bool project(std::span<Vec3> x);
+  // The boundary parameters that belong to x after `project`, written to the scene.
+  void publish(scene::Scene& scene) const;
+  // The largest distance (to first order) of a vertex from a constraint that it violates.
+  double violation(std::span<const Vec3> x) const;
+
+  template <class Function>
+  void for_each(Function&& function) const {
+    for (const Held& held : held_) function(held.vertex);
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffffU;
+  struct Held {
+    std::uint32_t vertex = 0;
+    int boundary = 0;
+    bool fixed = false;  // on a boundary: the parameters stay; on level sets: the vertex stays
+    std::vector<int> level_sets;
+    std::array<double, 3> parameters{};
+    // Orthonormal: the directions forbidden (level sets) or the only ones allowed (boundaries).
+    std::array<Vec3, 3> directions;
+    int count = 0;
+  };
+  static Vec3 restricted_by(const Held& held, const Vec3& vector);
+  void renew_levels(Held& held, const Vec3& at, const Vec3* force);
+  void renew_boundary(Held& held, const Vec3& at);
+
+  scene::Scene scene_;  // without its film's positions: constraints, variables, attributes, time
+  std::vector<std::uint32_t> index_;  // of each vertex in held_
+  std::vector<Held> held_;
+  bool one_sided_ = false;
+  bool moves_ = false;
+};
+
+}  // namespace lamella::energy

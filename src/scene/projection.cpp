@@ -1,0 +1,247 @@
+#include "scene/projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace lamella::scene {
+
+using film::EdgeEnd;
+using film::ElementKind;
+using film::Vec3;
+using film::Vertex;
+
+namespace {
+
+constexpr int most_steps = 40;
+constexpr int most_constraints = 3;
+
+Vec3 vector_of(const std::array<double, 3>& a) {
+  return {a[0], a[1], a[2]};
+}
+
+// Solves the small symmetric system (J J^T) m = r for up to three rows by elimination with pivots; rows that
+// depend on others get 0.
+void solve_small(int n, std::array<std::array<double, 3>, 3> a, std::array<double, 3>& r) {
+  std::array<bool, 3> done{};
+  const double scale = std::max({a[0][0], a[1][1], a[2][2], 1e-300});
+  for (int round = 0; round < n; ++round) {
+    int pivot = -1;
+    for (int i = 0; i < n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (!done[k] &&
+          (pivot < 0 || a[k][k] > a[static_cast<std::size_t>(pivot)][static_cast<std::size_t>(pivot)]))
+        pivot = i;
+    }
+    const auto p = static_cast<std::size_t>(pivot);
+    done[p] = true;
+    if (a[p][p] < 1e-12 * scale) {
+      r[p] = 0;
+      for (std::size_t j = 0; j < 3; ++j) a[p][j] = a[j][p] = 0;
+      continue;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+      if (i == p) continue;
+      const double factor = a[i][p] / a[p][p];
+      for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j) a[i][j] -= factor * a[p][j];
+      r[i] -= factor * r[p];
+    }
+    r[p] /= a[p][p];
+    const double inverse = 1 / a[p][p];
+    for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j) a[p][j] *= inverse;
+    a[p][p] = 1;
+  }
+}
+
+bool violated(const LevelSet& set, double value) {
+  return set.sense == Sense::equal || (set.sense == Sense::nonnegative && value < 0) ||
+         (set.sense == Sense::nonpositive && value > 0);
+}
+
+}  // namespace
+
+std::vector<double> attributes_of(const film::Film& film, const language::Formula& formula,
+                                  std::uint32_t vertex) {
+  std::vector<double> values;
+  for (const std::string& name : formula.attributes()) {
+    const film::Column* const column = film.columns(ElementKind::vertex).find(name);
+    values.push_back(column != nullptr ? column->value(vertex) : 0.0);
+  }
+  return values;
+}
+
+Level level_at(const Scene& scene, const LevelSet& set, const Vec3& point, std::uint32_t vertex) {
+  const std::array<double, 3> at{point.x, point.y, point.z};
+  std::vector<double> attributes;
+  if (!set.formula.attributes().empty()) attributes = attributes_of(scene.film, set.formula, vertex);
+  const language::Jet jet = set.formula.gradient({at, scene.time, attributes});
+  return {jet.value, vector_of(jet.gradient)};
+}
+
+double level(const Scene& scene, const LevelSet& set, Vertex v) {
+  return level_at(scene, set, scene.film.position(v), v.index).value;
+}
+
+bool project_to_level_sets(const Scene& scene, std::span<const int> numbers, std::uint32_t vertex,
+                           Vec3& point) {
+  double before = HUGE_VAL;
+  for (int step = 0; step < most_steps; ++step) {
+    std::array<Level, most_constraints> levels;
+    int active = 0;
+    double distance = 0;
+    for (const int number : numbers) {
+      const auto at = scene.level_sets.find(std::abs(number));
+      if (at == scene.level_sets.end() || active == most_constraints) continue;
+      const Level found = level_at(scene, at->second, point, vertex);
+      if (!std::isfinite(found.value)) return false;
+      if (!violated(at->second, found.value)) continue;
+      distance = std::max(distance, std::abs(found.value) / std::max(length(found.gradient), 1e-300));
+      levels[static_cast<std::size_t>(active++)] = found;
+    }
+    const double rounding = 4e-16 * (std::abs(point.x) + std::abs(point.y) + std::abs(point.z) + 1e-300);
+    if (active == 0 || distance <= rounding || (distance < 100 * rounding && distance >= before)) return true;
+    before = distance;
+    std::array<std::array<double, 3>, 3> gram{};
+    std::array<double, 3> multipliers{};
+    for (int i = 0; i < active; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      multipliers[a] = -levels[a].value;
+      for (int j = 0; j < active; ++j) {
+        gram[a][static_cast<std::size_t>(j)] =
+            dot(levels[a].gradient, levels[static_cast<std::size_t>(j)].gradient);
+      }
+    }
+    solve_small(active, gram, multipliers);
+    for (int i = 0; i < active; ++i)
+      point += multipliers[static_cast<std::size_t>(i)] * levels[static_cast<std::size_t>(i)].gradient;
+    if (!is_finite(point)) return false;
+  }
+  return false;
+}
+
+BoundaryPoint boundary_point(const Scene& scene, const Boundary& boundary,
+                             const std::array<double, 3>& parameters) {
+  BoundaryPoint point;
+  for (int axis = 0; axis < 3; ++axis) {
+    const language::Formula& formula = boundary.position[static_cast<std::size_t>(axis)];
+    if (!formula) continue;
+    const language::Jet jet = formula.gradient({parameters, scene.time, {}});
+    point.position[axis] = jet.value;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(boundary.parameters); ++k)
+      point.tangents[k][axis] = jet.gradient[k];
+  }
+  return point;
+}
+
+Vec3 boundary_position(const Scene& scene, const Boundary& boundary,
+                       const std::array<double, 3>& parameters) {
+  return boundary_point(scene, boundary, parameters).position;
+}
+
+bool nearest_parameters(const Scene& scene, const Boundary& boundary, const Vec3& target,
+                        std::array<double, 3>& parameters) {
+  const int n = boundary.parameters;
+  double before = HUGE_VAL;
+  for (int step = 0; step < most_steps; ++step) {
+    const BoundaryPoint at = boundary_point(scene, boundary, parameters);
+    const Vec3 miss = target - at.position;
+    std::array<std::array<double, 3>, 3> gram{};
+    std::array<double, 3> change{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+      change[i] = dot(at.tangents[i], miss);
+      for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j)
+        gram[i][j] = dot(at.tangents[i], at.tangents[j]);
+    }
+    solve_small(n, gram, change);
+    double size = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+      parameters[i] += change[i];
+      size = std::max(size, std::abs(change[i]) / (1 + std::abs(parameters[i])));
+    }
+    if (!std::isfinite(size)) return false;
+    if (size < 1e-15 || (size < 1e-12 && size >= before)) return true;
+    before = size;
+  }
+  return before < 1e-8;
+}
+
+int orthonormalise(std::span<Vec3> vectors) {
+  int count = 0;
+  for (const Vec3& given : vectors) {
+    Vec3 v = given;
+    for (int i = 0; i < count; ++i)
+      v -= dot(v, vectors[static_cast<std::size_t>(i)]) * vectors[static_cast<std::size_t>(i)];
+    if (length(v) <= 1e-8 * length(given) || length(given) == 0) continue;
+    vectors[static_cast<std::size_t>(count++)] = unit(v);
+  }
+  return count;
+}
+
+namespace {
+
+// Parameters of a neighbour along an edge of the same boundary: the best start for finding the nearest point.
+std::array<double, 3> start_parameters(const Scene& scene, Vertex v, int boundary) {
+  std::array<double, 3> parameters = boundary_parameters(scene, v);
+  std::uint32_t lowest = v.index;
+  scene.film.for_each_end(v, [&](EdgeEnd end) {
+    if (boundary_of(scene, ElementKind::edge, end.edge().index) != boundary) return;
+    const Vertex neighbour = scene.film.head(end.outward());
+    if (boundary_of(scene, ElementKind::vertex, neighbour.index) != boundary || neighbour.index >= lowest)
+      return;
+    lowest = neighbour.index;
+    parameters = boundary_parameters(scene, neighbour);
+  });
+  return parameters;
+}
+
+}  // namespace
+
+void settle_vertices(Scene& scene, std::uint32_t first) {
+  const bool any = !scene.boundaries.empty() || !scene.level_sets.empty();
+  if (!any) return;
+  const film::Film& film = scene.film;
+  for (std::uint32_t row = first; row < film.vertex_rows(); ++row) {
+    const Vertex v(row);
+    if (!film.alive(v)) continue;
+    const auto boundary = scene.boundaries.find(boundary_of(scene, ElementKind::vertex, row));
+    if (boundary != scene.boundaries.end()) {
+      std::array<double, 3> parameters = start_parameters(scene, v, boundary->first);
+      if (!nearest_parameters(scene, boundary->second, film.position(v), parameters)) continue;
+      set_boundary_parameters(scene, v, parameters);
+      scene.film.move(v, boundary_position(scene, boundary->second, parameters));
+      continue;
+    }
+    const std::vector<int> numbers = constraints_of(scene, ElementKind::vertex, row);
+    Vec3 point = film.position(v);
+    if (!numbers.empty() && project_to_level_sets(scene, numbers, row, point)) scene.film.move(v, point);
+  }
+}
+
+bool constrain_vertices(Scene& scene) {
+  if (scene.boundaries.empty() && scene.level_sets.empty()) return true;
+  bind_formulas(scene);
+  const auto fixed = scene.film.columns(ElementKind::vertex).flags("fixed");
+  bool all = true;
+  for (std::uint32_t row = 0; row < scene.film.vertex_rows(); ++row) {
+    const Vertex v(row);
+    if (!scene.film.alive(v)) continue;
+    const bool stays = !fixed.empty() && fixed[row] != 0;
+    const auto boundary = scene.boundaries.find(boundary_of(scene, ElementKind::vertex, row));
+    if (boundary != scene.boundaries.end()) {
+      std::array<double, 3> parameters = boundary_parameters(scene, v);
+      if (!stays)
+        all = nearest_parameters(scene, boundary->second, scene.film.position(v), parameters) && all;
+      set_boundary_parameters(scene, v, parameters);
+      scene.film.move(v, boundary_position(scene, boundary->second, parameters));
+      continue;
+    }
+    const std::vector<int> numbers = constraints_of(scene, ElementKind::vertex, row);
+    Vec3 point = scene.film.position(v);
+    if (numbers.empty() || stays) continue;
+    all = project_to_level_sets(scene, numbers, row, point) && all;
+    scene.film.move(v, point);
+  }
+  return all;
+}
+
+}  // namespace lamella::scene

@@ -1,0 +1,45 @@
+// Points brought to surfaces and curves, and the directions they may move in there.
+#pragma once
+
+#include <span>
+
+#include "scene/constraint_sets.h"
+
+namespace lamella::scene {
+
+// A level set as a vertex meets it.
+struct Level {
+  double value = 0;
+  film::Vec3 gradient;
+};
+
+// The value and gradient of a formula at a point; attributes are those of the vertex (a row of the film).
+Level level_at(const Scene& scene, const LevelSet& set, const film::Vec3& point, std::uint32_t vertex);
+
+// The attributes that a formula reads, of one vertex.
+std::vector<double> attributes_of(const film::Film& film, const language::Formula& formula,
+                                  std::uint32_t vertex);
+
+// The nearest point (to first order, by Newton's method with the smallest steps) at which all constraints
+// hold: equalities exactly, one-sided ones if violated. Returns false if it does not converge: constraints
+// that contradict each other, or a formula without value or gradient there.
+bool project_to_level_sets(const Scene& scene, std::span<const int> numbers, std::uint32_t vertex,
+                           film::Vec3& point);
+
+// A point of a boundary with its derivatives by the parameters.
+struct BoundaryPoint {
+  film::Vec3 position;
+  std::array<film::Vec3, 3> tangents;
+};
+BoundaryPoint boundary_point(const Scene& scene, const Boundary& boundary,
+                             const std::array<double, 3>& parameters);
+
+// Moves parameters to the point of the boundary nearest to `target` (Gauss and Newton's method from where
+// they are). False if it does not converge.
+bool nearest_parameters(const Scene& scene, const Boundary& boundary, const film::Vec3& target,
+                        std::array<double, 3>& parameters);
+
+// An orthonormal set spanned by vectors, leaving out what depends on others; returns how many.
+int orthonormalise(std::span<film::Vec3> vectors);
+
+}  // namespace lamella::scene
