@@ -31,7 +31,7 @@ bool is_taken(std::string_view name) {
 }
 
 Token take_new_name(Reading& reading, std::string_view what) {
-  const Token name = reading.tokens.peek();
+  Token name = reading.tokens.peek();
   if (!name.is(TokenKind::word)) throw text::Error(name.place, fmt::format("{} needs a name", what));
   if (is_taken(name.text)) {
     throw text::Error(name.place,

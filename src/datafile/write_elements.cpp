@@ -63,17 +63,22 @@ class AttributeWriter {
   const Column* back_ = nullptr;
 };
 
+// Known columns go in the order of their table, whatever their order in the film.
 AttributeWriter::AttributeWriter(ElementKind kind, const film::Columns& columns) : kind_(kind) {
-  columns.for_each([&](const Column& column) {
-    if (kind == ElementKind::facet && column.name == "color") {
-      front_ = &column;
-    } else if (kind == ElementKind::facet && column.name == "backcolor") {
-      back_ = &column;
-    } else if (const KnownColumn* known = known_column(kind, column.name)) {
-      known_.push_back({known, &column});
-    } else if (is_declared_column(kind, column)) {
-      declared_.push_back(&column);
+  const bool two_colors = kind == ElementKind::facet;
+  for (const KnownColumn& known : known_columns()) {
+    const Column* const column = known.kind == kind ? columns.find(known.name) : nullptr;
+    if (column == nullptr) continue;
+    if (two_colors && known.name == "color") {
+      front_ = column;
+    } else if (two_colors && known.name == "backcolor") {
+      back_ = column;
+    } else {
+      known_.push_back({&known, column});
     }
+  }
+  columns.for_each([&](const Column& column) {
+    if (is_declared_column(kind, column)) declared_.push_back(&column);
   });
 }
 
