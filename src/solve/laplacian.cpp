@@ -62,6 +62,7 @@ Laplacian::Laplacian(const scene::Scene& scene, std::span<const double> weights)
 }
 
 bool Laplacian::factorise(std::span<const Vec3> x) {
+  if (vertex_of_row_.empty()) return true;
   const double total_area = cotangent_weights(film_, tension_, x, edge_weight_, mass_);
   if (!std::isfinite(total_area)) return false;
 
