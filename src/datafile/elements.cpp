@@ -38,6 +38,7 @@ class ListReader {
   }
 
   void word_line();
+  void more_attributes(const Token& word);
   void begin_section(Section section, const Token& word);
   void report_missing_sections(Section section, const Token& word);
   void unknown_word(const Token& word);
@@ -56,7 +57,7 @@ class ListReader {
   RowReader line_;
   std::optional<Section> section_;
   ElementKind kind_ = ElementKind::vertex;
-  std::uint32_t row_ = 0;
+  std::optional<std::uint32_t> row_;  // of the last element in this list
   bool at_read_ = false;
 };
 
@@ -86,11 +87,20 @@ void ListReader::word_line() {
   if (const auto section = section_named(word.text)) {
     line_.word();
     begin_section(*section, word);
-  } else if (section_ && rows().of(kind_).size() > 0 && begins_attribute(reading_, kind_, word.text)) {
-    read_attributes(reading_, line_, kind_, row_);
+  } else if (section_ && begins_attribute(reading_, kind_, word.text)) {
+    more_attributes(word);
   } else {
     unknown_word(word);
   }
+}
+
+// They belong to the element before them.
+void ListReader::more_attributes(const Token& word) {
+  if (!row_) {
+    throw text::Error(word.place,
+                      fmt::format("\"{}\" stands before the first {}", word.text, element_name(kind_)));
+  }
+  read_attributes(reading_, line_, kind_, *row_);
 }
 
 // A misspelt section is taken for what it was meant to be, or all its lines would be mistakes.
@@ -126,6 +136,7 @@ void ListReader::begin_section(Section section, const Token& word) {
   }
   section_ = section;
   kind_ = static_cast<ElementKind>(section);
+  row_.reset();
 }
 
 void ListReader::report_missing_sections(Section section, const Token& word) {
@@ -157,13 +168,14 @@ void ListReader::element() {
     line_.skip_line();
     return;
   }
-  row_ = static_cast<std::uint32_t>(numbering.size());
+  const auto row = static_cast<std::uint32_t>(numbering.size());
+  row_ = row;
   numbering.ids.push_back(*id);
   numbering.spots.push_back(spot);
   broken(kind_).push_back(1);  // until it has been read to its end
   definition();
-  if (!line_.at_line_end()) read_attributes(reading_, line_, kind_, row_);
-  broken(kind_)[row_] = 0;
+  if (!line_.at_line_end()) read_attributes(reading_, line_, kind_, row);
+  broken(kind_)[row] = 0;
 }
 
 // Nothing where it is unusable; then that has been reported.

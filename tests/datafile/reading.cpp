@@ -199,6 +199,15 @@ TEST(Mistakes, DoNotCauseOthers) {
             "a whole number is needed here, not 1.5\n");
 }
 
+TEST(Attributes, MayStandOnTheNextLine) {
+  const film::Film film =
+      read("vertices\n1 0 0 0\nfixed\n2 1 0 0\nedges\n1 1 2 fixed\n  color red\n").scene.film;
+  EXPECT_EQ(film.columns(ElementKind::vertex).find("fixed")->value(0), 1);
+  EXPECT_EQ(film.columns(ElementKind::edge).find("color")->value(0), 4);
+  EXPECT_EQ(complaints("vertices\n1 0 0 0\n2 1 0 0\nedges\nfixed\n1 1 2\n"),
+            "\"fixed\" stands before the first edge\n");
+}
+
 TEST(Mistakes, AreCountedFromTheTwentyFirstOn) {
   std::string content = "vertices\n1 0 0 0\nedges\n";
   for (int i = 1; i <= 50; ++i) content += std::to_string(i) + " 1 99\n";
