@@ -14,9 +14,6 @@ void run(Session& session, const LoadOptions& options) {
   } catch (const text::Error& error) {
     throw error.placed_at(options.file.place);
   }
-  const scene::Scene& scene = session.scene();
-  session.tell("{}: {} vertices, {} edges, {} facets, {} bodies\n", scene.name, scene.film.vertex_count(),
-               scene.film.edge_count(), scene.film.triangle_count(), scene::body_count(scene));
 }
 
 }  // namespace

@@ -61,9 +61,12 @@ void Output::write(std::string_view text) {
   if (text.empty()) return;
   at_line_start_ = text.back() == '\n';
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) throw OutputClosed{};
+  constexpr std::chrono::milliseconds longest_wait{200};
+  if (std::chrono::steady_clock::now() - flushed_ > longest_wait) flush();
 }
 
 void Output::flush() {
+  flushed_ = std::chrono::steady_clock::now();
   if (std::fflush(stdout) != 0) throw OutputClosed{};
 }
 

@@ -1,6 +1,7 @@
 // Where commands write: the standard output, a file or another program.
 #pragma once
 
+#include <chrono>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -21,7 +22,7 @@ class Output {
   Output& operator=(const Output&) = delete;
   ~Output();
 
-  // Throws OutputClosed.
+  // Throws OutputClosed. What is written slowly is seen at once, what comes fast is collected.
   void write(std::string_view text);
   void flush();
   bool redirected() const { return !targets_.empty(); }
@@ -46,6 +47,7 @@ class Output {
 
   std::vector<Target> targets_;
   bool at_line_start_ = true;
+  std::chrono::steady_clock::time_point flushed_;
 };
 
 }  // namespace lamella::session

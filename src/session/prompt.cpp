@@ -15,6 +15,7 @@
 
 #include "session/completion.h"
 #include "session/interrupt.h"
+#include "session/program.h"
 #include "session/session.h"
 
 namespace lamella::session {
@@ -179,6 +180,7 @@ void run_prompt(Session& session) {
   set_up_readline();
   ::rl_completion_word_break_hook = word_breaks;
   HistoryFile history;
+  session.tell("Lamella {}: help lists the commands, Ctrl-C stops one, Ctrl-D ends the session\n", version());
   while (true) {
     session.output().flush();
     if (!session.output().at_line_start()) session.write("\n");

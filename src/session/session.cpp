@@ -24,6 +24,19 @@ namespace {
 constexpr int deepest_reads = 50;
 constexpr double first_seed = 1;
 
+// A statement in one line, cut if it is long.
+std::string label_of(const std::string& text) {
+  constexpr std::size_t longest = 60;
+  std::string label;
+  for (const char c : text) {
+    const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!space) label += c;
+    if (space && !label.ends_with(' ')) label += ' ';
+    if (label.size() == longest) return label + "...";
+  }
+  return label;
+}
+
 text::Place whole(const text::SourcePointer& source) {
   return {source, 0, static_cast<std::uint32_t>(source->content.size())};
 }
@@ -252,7 +265,7 @@ Outcome Session::run_statement(const language::Block& statement, const std::stri
     return fail(text::Error(fmt::format("internal fault: {}", error.what())));
   }
   state_->progress.restart();
-  if (differs(before, state_->scene)) state_->history.push(std::move(before), text);
+  if (differs(before, state_->scene)) state_->history.push(std::move(before), label_of(text));
   apply_requested_undo();
   if (state_->quit) return Outcome::quit;
   if (!interrupt::requested()) return Outcome::done;
@@ -311,6 +324,9 @@ void Session::load(const std::string& path) {
   seed_random(first_seed);
   for (const text::Place& declaration : result.procedures) run_within(declaration);
   for (const text::Place& commands : result.read_section) run_within(commands);
+  const film::Film& film = state_->scene.film;
+  tell("{}: {} vertices, {} edges, {} facets, {} bodies\n", path, film.vertex_count(), film.edge_count(),
+       film.triangle_count(), scene::body_count(state_->scene));
 }
 
 bool Session::is_complete(const text::Place& part) {

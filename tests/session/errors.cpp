@@ -58,7 +58,7 @@ TEST(Errors, AreShownWhereTheyStandWithWhatWouldBeRight) {
   for (const Case& each : cases) {
     const Ran ran = trial.run(each.text);
     EXPECT_EQ(ran.outcome, session::Outcome::failed) << each.text;
-    EXPECT_TRUE(contains(ran.messages, std::string("test:") + each.place + ": error")) << each.text;
+    EXPECT_TRUE(contains(ran.messages, std::string("test:").append(each.place).append(": error"))) << each.text;
     EXPECT_TRUE(contains(ran.messages, each.says)) << each.text;
   }
 }
