@@ -1,0 +1,76 @@
+#include <cmath>
+
+#include "support/trial.h"
+
+namespace lamella::trial {
+namespace {
+
+TEST(Evolve, KeepsVolumesThroughEveryStep) {
+  Trial trial("double_bubble.fe");
+  trial.out("refine 2");
+  for (int i = 0; i < 20; ++i) {
+    trial.out("evolve 10");
+    EXPECT_NEAR(trial.number("body[1].volume"), 1, 1e-11) << i;
+    EXPECT_NEAR(trial.number("body[2].volume"), 1, 1e-11) << i;
+  }
+}
+
+// With damping the film comes to rest where relax brings it.
+TEST(Evolve, DampedItComesToRest) {
+  Trial trial("cube.fe");
+  trial.out("refine 2; damping := 4; evolve 600");
+  const double evolved = trial.number("total_area");
+  trial.out("relax motion normal keep_mesh");
+  EXPECT_NEAR(evolved, trial.number("total_area"), 5e-3);
+}
+
+TEST(Evolve, TimeAndRow) {
+  Trial trial("cube.fe");
+  trial.session().set_quiet(false);
+  trial.out("refine 2");
+  EXPECT_TRUE(trial.out("evolve 5 dt 0.01").starts_with("time 0.05: energy "));
+  EXPECT_NEAR(trial.number("total_time"), 0.05, 1e-15);
+  EXPECT_TRUE(trial.out("evolve 1 dt auto").ends_with("\n"));
+  EXPECT_TRUE(contains(trial.out("evolve 1 dt=0.01"), ", 1 step of 0.01 to 0.01\n"));
+  // Above the bound a step is made in parts, and takes as much time.
+  const double time = trial.number("total_time");
+  const std::string told = trial.out("evolve 2 dt 0.5");
+  EXPECT_TRUE(contains(told, "dt 0.5 is too long for stability (bound ")) << told;
+  EXPECT_TRUE(contains(told, "): 2 steps made in ")) << told;
+  EXPECT_NEAR(trial.number("total_time"), time + 1, 1e-12);
+}
+
+// Velocities belong to the film: two halves make the whole.
+TEST(Evolve, GoesOnWhereItStopped) {
+  Trial whole("double_bubble.fe");
+  whole.out("refine 2; evolve 20 dt 0.005");
+  Trial halves("double_bubble.fe");
+  halves.out("refine 2; evolve 10 dt 0.005; evolve 10 dt 0.005");
+  EXPECT_NEAR(whole.number("total_area"), halves.number("total_area"), 1e-10);
+}
+
+TEST(Evolve, FixedVerticesStay) {
+  Trial trial("catenoid.fe");
+  const std::string held =
+      "foreach vertex vv where vv.fixed do printf \"%d %.17g %.17g %.17g\\n\", vv.id, vv.x, vv.y, vv.z";
+  const std::string before = trial.out("refine; " + held);
+  EXPECT_TRUE(trial.out("evolve 20; " + held) == before);
+}
+
+TEST(Evolve, Refuses) {
+  Trial trial("double_bubble.fe");
+  EXPECT_TRUE(contains(trial.failure("evolve -1"), "test:1:8: error: steps must be at least 0, not -1"));
+  EXPECT_TRUE(
+      contains(trial.failure("evolve 10 dt 0"), "test:1:14: error: dt must be greater than 0, not 0"));
+  EXPECT_TRUE(contains(trial.failure("evolve dt nan"), "\"nan\" is not defined"));
+  EXPECT_TRUE(contains(trial.failure("evolve dt"), "dt needs its value"));
+  EXPECT_TRUE(contains(trial.failure("evolve 1 dt 1e300"), "dt is too large: 1e+300"));
+  EXPECT_TRUE(contains(trial.failure("evolve 1 dt 1e-300"), "dt is too small: 1e-300"));
+  EXPECT_TRUE(contains(trial.failure("{ fix vertex; body[1].target := 3; evolve }"),
+                       "cannot be brought to their targets"));
+  EXPECT_TRUE(contains(Trial().failure("evolve"), "there is no film to move"));
+  EXPECT_EQ(trial.number("total_time"), 0);
+}
+
+}  // namespace
+}  // namespace lamella::trial
