@@ -75,9 +75,10 @@ std::vector<Vec3> wanted_moves(const Film& film) {
   return moves;
 }
 
-// Whether a facet survives a move: it turns by less than 60 degrees, or it was a sliver, whose normal means
-// little, and gains area.
+// Whether a facet survives a move: it stays, or turns by less than 60 degrees, or it was a sliver, whose
+// normal means little, and gains area.
 bool survives(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to) {
+  if (from == to) return true;
   const Vec3 before = energy::double_area_vector(from[0], from[1], from[2]);
   const Vec3 after = energy::double_area_vector(to[0], to[1], to[2]);
   const double longest = std::max({squared_length(from[1] - from[0]), squared_length(from[2] - from[1]),
@@ -103,7 +104,7 @@ bool tame(const Film& film, std::vector<Vec3>& moves, double factor) {
     for (const Vertex v : c) scaled[v.index] = 1;
   }
   for (std::size_t v = 0; v < moves.size(); ++v) {
-    if (scaled[v] != 0) moves[v] *= factor;
+    if (scaled[v] != 0) moves[v] = factor > 0 ? factor * moves[v] : Vec3{};
   }
   return none;
 }

@@ -281,6 +281,15 @@ TEST(Average, KeepsFlatFilmsFlatAndFixedVerticesFixed) {
 }
 
 // Volumes change to second order only: a tenth of the unevenness, a hundredth of the error.
+// A film that has shrunk to a point, or nearly so, must not keep it going for ever.
+TEST(Average, EndsOnFilmsWithoutArea) {
+  for (const double size : {0.0, 1e-170, 1e-300}) {
+    scene::Scene scene = test::cube(size);
+    average_vertices(scene.film);
+    for (const Vec3& p : scene.film.positions()) EXPECT_LE(length(p), 2 * size);
+  }
+}
+
 TEST(Average, KeepsVolumesToFirstOrder) {
   const auto error = [](double by) {
     Scene scene = test::cube();
