@@ -38,6 +38,14 @@ bool is_any_attribute(Reading& reading, std::string_view word) {
   return false;
 }
 
+// As an integer is kept. Throws where it does not fit.
+double truncated(const GivenValue& given, RowReader& line) {
+  if (std::abs(given.value) > std::numeric_limits<std::int32_t>::max()) {
+    throw text::Error(line.place(given.spot), fmt::format("{} is too large for an integer", given.value));
+  }
+  return std::trunc(given.value);
+}
+
 void make_room(film::Column& column, std::uint32_t row) {
   const std::size_t values = std::visit([](const auto& data) { return data.size(); }, column.data);
   if (values <= std::size_t{row} * static_cast<std::size_t>(column.width))
@@ -111,7 +119,7 @@ double AttributeReader::whole_value(const Token& word) {
   const bool named = line_.at_word();
   const Token name = named ? line_.peek() : Token{};
   try {
-    return std::trunc(value(word).value);
+    return truncated(value(word), line_);
   } catch (const text::Error& error) {
     if (!named || is_any_attribute(reading_, name.text)) throw;
     std::vector<std::string> colors;
@@ -160,12 +168,8 @@ void AttributeReader::known(const AttributeWord& attribute, const Token& word) {
 }
 
 void AttributeReader::original(const Token& word) {
-  const GivenValue given = value(word);
-  if (std::abs(given.value) > std::numeric_limits<std::int32_t>::max()) {
-    throw text::Error(line_.place(given.spot), "this number is too large");
-  }
-  reading_.rows.originals[static_cast<std::size_t>(kind_)].emplace_back(
-      row_, static_cast<std::int32_t>(given.value));
+  const auto number = static_cast<std::int32_t>(truncated(value(word), line_));
+  reading_.rows.originals[static_cast<std::size_t>(kind_)].emplace_back(row_, number);
 }
 
 void AttributeReader::both_colors(const Token& word) {
@@ -208,8 +212,8 @@ void AttributeReader::declared(film::Column& column, const Token& word) {
       column.width == 1 ? std::string("a value") : fmt::format("{} values", column.width);
   const bool integer = std::holds_alternative<film::Integers>(column.data);
   for (int i = 0; i < column.width; ++i) {
-    const double given = value(word, what).value;
-    column.set(row_, i, integer ? std::trunc(given) : given);
+    const GivenValue given = value(word, what);
+    column.set(row_, i, integer ? truncated(given, line_) : given.value);
   }
 }
 
@@ -238,8 +242,8 @@ void AttributeReader::braced(film::Column& column, const Token& word, std::size_
       }
       braced(column, word, dimension + 1, at, part_size);
     } else {
-      const double given = value(word, "a value or a \"}\"").value;
-      column.set(row_, at, integer ? std::trunc(given) : given);
+      const GivenValue given = value(word, "a value or a \"}\"");
+      column.set(row_, at, integer ? truncated(given, line_) : given.value);
     }
   }
 }

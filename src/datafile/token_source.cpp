@@ -197,15 +197,18 @@ void TokenSource::refuse_loop(const std::string& canonical_path, const Token& na
     return file.canonical_path == canonical_path;
   });
   if (again == files_.end()) return;
+  const auto file_name = [](const OpenFile& file) {
+    return files::path(file.lexer.source()->name).filename().string();
+  };
   std::string chain;
   text::Diagnostic diagnostic;
   for (auto file = again; file != files_.end(); ++file) {
-    chain += fmt::format("{} includes ", files::path(file->lexer.source()->name).filename().string());
-    if (file->included_at.known()) diagnostic.notes.push_back({file->included_at, "included from here"});
+    chain += fmt::format("{} includes ", file_name(*file));
+    if (!file->included_at.known()) continue;
+    diagnostic.notes.push_back({file->included_at, fmt::format("{} is included here", file_name(*file))});
   }
   diagnostic.place = name.place;
-  diagnostic.message = fmt::format("a file includes itself: {}{}", chain,
-                                   files::path(again->lexer.source()->name).filename().string());
+  diagnostic.message = fmt::format("a file includes itself: {}{}", chain, file_name(*again));
   throw Unreadable(std::move(diagnostic));
 }
 

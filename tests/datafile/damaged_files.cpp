@@ -83,13 +83,14 @@ INSTANTIATE_TEST_SUITE_P(Files, DamagedFiles,
                                          "unsupported/constraint_with_integrals.fe"));
 
 TEST(DamagedFiles, MayNestDeeply) {
-  const std::string deep(100000, '(');
-  expect_scene_or_error("deep.fe", "vertices\n1 " + deep + "\n");
-  expect_scene_or_error("deep.fe", "parameter aa = " + deep + "\n");
-  expect_scene_or_error("deep.fe", "vertices\n1 " + std::string(100000, '-') + "1 0 0\n");
-  expect_scene_or_error("deep.fe", "define vertex attribute aa real[2]\nvertices\n1 0 0 0 aa " +
-                                       std::string(100000, '{') + "\n");
-  expect_scene_or_error("deep.fe", "clip_coeff = " + std::string(100000, '{') + "\n");
+  constexpr int depth = 100000;
+  expect_scene_or_error("deep.fe", fmt::format("vertices\n1 {:(<{}}\n", "", depth));
+  expect_scene_or_error("deep.fe", fmt::format("parameter aa = {:(<{}}\n", "", depth));
+  expect_scene_or_error("deep.fe", fmt::format("vertices\n1 {:-<{}}1 0 0\n", "", depth));
+  const std::string braces(depth, '{');
+  expect_scene_or_error("deep.fe",
+                        fmt::format("define vertex attribute aa real[2]\nvertices\n1 0 0 0 aa {}\n", braces));
+  expect_scene_or_error("deep.fe", fmt::format("clip_coeff = {}\n", braces));
 }
 
 TEST(DamagedFiles, MayGrowByMacros) {
@@ -99,9 +100,8 @@ TEST(DamagedFiles, MayGrowByMacros) {
 }
 
 TEST(DamagedFiles, MayHaveVeryLongLines) {
-  expect_scene_or_error("long.fe", "vertices\n1 0" + std::string(3000000, ' ') + "0 0\n2 " +
-                                       std::string(300000, '1') + " 0 0\n3 0." + std::string(300000, '0') +
-                                       "1 0 0\n");
+  expect_scene_or_error("long.fe", fmt::format("vertices\n1 0{: <{}}0 0\n2 {:1<{}} 0 0\n3 0.{:0<{}}1 0 0\n",
+                                               "", 3000000, "", 300000, "", 300000));
 }
 
 }  // namespace

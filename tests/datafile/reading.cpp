@@ -208,6 +208,16 @@ TEST(Attributes, MayStandOnTheNextLine) {
             "\"fixed\" stands before the first edge\n");
 }
 
+TEST(Attributes, OfWholeNumbersAreCutOffAndMustFit) {
+  const std::string declared = "define vertex attribute grade integer[2]\n";
+  const film::Film film = read(declared + "vertices\n1 0 0 0 grade {2.9,-2.9}\n").scene.film;
+  EXPECT_EQ(film.columns(ElementKind::vertex).find("grade")->value(0, 0), 2);
+  EXPECT_EQ(film.columns(ElementKind::vertex).find("grade")->value(0, 1), -2);
+  EXPECT_EQ(complaints(declared + "vertices\n1 0 0 0 grade 1 3e9\n"),
+            "3000000000 is too large for an integer\n");
+  EXPECT_EQ(complaints("vertices\n1 0 0 0 original 3e9\n"), "3000000000 is too large for an integer\n");
+}
+
 TEST(Mistakes, AreCountedFromTheTwentyFirstOn) {
   std::string content = "vertices\n1 0 0 0\nedges\n";
   for (int i = 1; i <= 50; ++i) content += std::to_string(i) + " 1 99\n";
