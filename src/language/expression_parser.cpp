@@ -138,7 +138,7 @@ bool ExpressionParser::accept(std::string_view symbol) {
 
 // In a datafile a comma is white space that the next token remembers.
 bool ExpressionParser::accept_comma() {
-  if (style_ == ExpressionStyle::command) return accept(",");
+  if (in_command()) return accept(",");
   return tokens_.peek().separator == ',';
 }
 
@@ -146,7 +146,7 @@ void ExpressionParser::unexpected(std::string_view wanted, std::string_view afte
   const Token& found = tokens_.peek();
   const std::string where = after.empty() ? std::string{} : fmt::format(" after \"{}\"", after);
   const std::string message = fmt::format("expected {}{}, found {}", wanted, where, describe(found));
-  if (found.is(TokenKind::end) && style_ == ExpressionStyle::command) throw Incomplete(found.place, message);
+  if (found.is(TokenKind::end) && in_command()) throw Incomplete(found.place, message);
   throw text::Error(found.place, message);
 }
 
@@ -157,8 +157,7 @@ text::Place ExpressionParser::close(std::string_view symbol, const Token& opener
   if (found.ends_line()) {
     const std::string message =
         fmt::format("this \"{}\" is never closed: missing \"{}\"", opener.text, symbol);
-    if (found.is(TokenKind::end) && style_ == ExpressionStyle::command)
-      throw Incomplete(opener.place, message);
+    if (found.is(TokenKind::end) && in_command()) throw Incomplete(opener.place, message);
     throw text::Error(opener.place, message);
   }
   text::Diagnostic diagnostic{text::Severity::error,
@@ -183,10 +182,11 @@ std::optional<ExpressionParser::Operator> ExpressionParser::binary_operator() {
   for (const BinarySymbol& symbol : binary_symbols) {
     if (!token.is_symbol(symbol.text) && !token.is_word(symbol.text)) continue;
     const bool open = brackets_ == 0;
-    const bool signs_next_value = style_ == ExpressionStyle::values && open && token.is_symbol("-") &&
-                                  token.space_before && !tokens_.peek(1).space_before;
-    const bool redirects = style_ == ExpressionStyle::command && open && token.is_symbol(">") &&
-                           tokens_.peek(1).is(TokenKind::string);
+    const bool values_follow = style_ == ExpressionStyle::values || style_ == ExpressionStyle::argument;
+    const bool signs_next_value =
+        values_follow && open && token.is_symbol("-") && token.space_before && !tokens_.peek(1).space_before;
+    const bool redirects = in_command() && style_ != ExpressionStyle::condition && open &&
+                           token.is_symbol(">") && tokens_.peek(1).is(TokenKind::string);
     if (signs_next_value || redirects) return std::nullopt;
     return Operator{symbol.rank, symbol.operation, false};
   }
@@ -232,7 +232,7 @@ ExpressionPointer ExpressionParser::ranked(int lowest) {
 ExpressionPointer ExpressionParser::conditional(ExpressionPointer condition) {
   const Token question = tokens_.take();
   ExpressionPointer yes = ranked(rank_conditional);
-  const bool colon = style_ == ExpressionStyle::command ? accept(":") : tokens_.peek().separator == ':';
+  const bool colon = in_command() ? accept(":") : tokens_.peek().separator == ':';
   if (!colon) unexpected("\":\" and a second value", "?");
   ExpressionPointer no = ranked(rank_conditional);
   text::Place place = join(condition->place, no->place);
@@ -258,7 +258,7 @@ ExpressionPointer ExpressionParser::prefix() {
 ExpressionPointer ExpressionParser::primary() {
   const std::string_view after = std::exchange(waiting_operator_, {});
   // An operand is due: a command goes on on the next line.
-  while (style_ == ExpressionStyle::command && tokens_.peek().is(TokenKind::newline)) {
+  while (in_command() && tokens_.peek().is(TokenKind::newline)) {
     tokens_.take();
   }
   const Token& token = tokens_.peek();

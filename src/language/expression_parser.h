@@ -29,6 +29,10 @@ enum class ExpressionStyle : std::uint8_t {
   // The same in a command, where an expression that cannot end goes on on the next line, and `> "file"`
   // redirects.
   command,
+  // The same where no output can be redirected: `> "text"` compares.
+  condition,
+  // The same in a command where more values may follow: a '-' as in `values`.
+  argument,
 };
 
 class ExpressionParser {
@@ -69,6 +73,7 @@ class ExpressionParser {
   ExpressionPointer primary();
   ExpressionPointer word();
   std::optional<Operator> binary_operator();
+  bool in_command() const { return style_ >= ExpressionStyle::command; }
   ExpressionPointer conditional(ExpressionPointer condition);
   ExpressionPointer parentheses();
   ExpressionPointer string();

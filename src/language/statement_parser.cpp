@@ -541,7 +541,7 @@ bool StatementParser::else_ahead() {
 StatementPointer StatementParser::conditionally() {
   const Token keyword = tokens_.take();
   Conditionally result;
-  result.condition = expression();
+  result.condition = condition();
   if (!accept_word("then") && tokens_.peek().is(TokenKind::newline)) {
     skip_lines();
     accept_word("then");
@@ -554,7 +554,7 @@ StatementPointer StatementParser::conditionally() {
 StatementPointer StatementParser::while_loop() {
   const Token keyword = tokens_.take();
   Loop result;
-  result.condition = expression();
+  result.condition = condition();
   skip_lines();
   accept_word("do");
   ++loops_;
@@ -585,7 +585,7 @@ StatementPointer StatementParser::for_loop() {
     const Brackets brackets(tokens_);
     if (!tokens_.peek().is_symbol(";")) result.begin = statement();
     expect(";", "and a condition");
-    if (!tokens_.peek().is_symbol(";")) result.condition = expression();
+    if (!tokens_.peek().is_symbol(";")) result.condition = condition();
     expect(";", "and what is done after each round");
     if (!tokens_.peek().is_symbol(")")) result.next = statement();
     expect(")", "");

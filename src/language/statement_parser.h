@@ -75,6 +75,9 @@ class StatementParser {
 
   ExpressionParser expressions() { return {tokens_, scope_, ExpressionStyle::command}; }
   ExpressionPointer expression() { return expressions().expression(); }
+  ExpressionPointer condition() {
+    return ExpressionParser(tokens_, scope_, ExpressionStyle::condition).expression();
+  }
   bool accept_word(std::string_view word);
   bool accept(std::string_view symbol);
   Token expect(std::string_view symbol, std::string_view context);

@@ -62,6 +62,8 @@ bool settings_differ(const scene::Scene& a, const scene::Scene& b) {
   return a.gravity.constant != b.gravity.constant || a.gravity.on != b.gravity.on ||
          a.scale.value != b.scale.value || a.scale.fixed != b.scale.fixed || a.scale.limit != b.scale.limit ||
          a.keep_volumes != b.keep_volumes || a.symmetric_content != b.symmetric_content || a.time != b.time ||
+         a.level_sets.size() != b.level_sets.size() || a.boundaries.size() != b.boundaries.size() ||
+         a.gap_constant != b.gap_constant || a.edge_integral_order != b.edge_integral_order ||
          a.damping != b.damping || a.name != b.name;
 }
 

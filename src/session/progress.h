@@ -24,10 +24,11 @@ class Progress : public scene::Monitor {
 
   // A new computation begins; the line of the last one goes.
   void restart();
+  // Makes room for other output.
+  void erase();
 
  private:
   using Clock = std::chrono::steady_clock;
-  void erase();
 
   std::function<void(std::string_view)> say_;
   std::function<void()> follower_;

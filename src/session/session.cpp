@@ -85,6 +85,7 @@ const energy::Measures& Session::measures() {
   return state_->measures.of(state_->scene);
 }
 void Session::write(std::string_view text) {
+  if (!state_->output.redirected()) state_->progress.erase();
   state_->output.write(text);
 }
 bool Session::quiet() const {
@@ -141,6 +142,7 @@ void Session::begin_command() {
 }
 
 void Session::warn(const text::Diagnostic& warning) {
+  state_->progress.erase();
   state_->output.flush();
   write_error(text::render(warning));
 }

@@ -52,13 +52,16 @@ TEST(Errors, AreShownWhereTheyStandWithWhatWouldBeRight) {
       {"set vertex fixd", "1:12", "did you mean \"fixed\"?"},
       {"x ::= 3", "1:3", "use :="},
       {"print $", "1:7", "unexpected character"},
+      {"if 1 > \"a\" then print 1", "1:8", "a number is needed"},
+      {"vc 1 -1", "1:6", "-1"},
       {"if 1 then", "1:10", "expected a command"},
       {"foreach vertx do print 1", "1:9", "expected vertices"},
   };
   for (const Case& each : cases) {
     const Ran ran = trial.run(each.text);
     EXPECT_EQ(ran.outcome, session::Outcome::failed) << each.text;
-    EXPECT_TRUE(contains(ran.messages, std::string("test:").append(each.place).append(": error"))) << each.text;
+    EXPECT_TRUE(contains(ran.messages, std::string("test:").append(each.place).append(": error")))
+        << each.text;
     EXPECT_TRUE(contains(ran.messages, each.says)) << each.text;
   }
 }

@@ -27,7 +27,7 @@ class Program : public ::testing::Test {
     return {file_content(folder_ / "out.txt"), file_content(folder_ / "err.txt"), WEXITSTATUS(status)};
   }
   const Folder folder_;
-  const std::string cube_ = "'" + datafile("cube.fe") + "'";
+  const std::string cube_ = fmt::format("'{}'", datafile("cube.fe"));
 };
 
 TEST_F(Program, PrintsWhatIsAskedAndNothingElse) {
