@@ -256,8 +256,19 @@ class ArgumentParser {
       typed.word = text::lower(tokens_.take().text);
       return;
     }
-    typed.expressions.push_back(expressions().expression());
+    const ExpressionStyle style = more_numbers() ? ExpressionStyle::argument : ExpressionStyle::command;
+    typed.expressions.push_back(ExpressionParser(tokens_, names_, style).expression());
     typed.place = typed.expressions.front()->place;
+  }
+
+  // Whether more than one number at its place in the line is still to come: `vc 1 -2` are two.
+  bool more_numbers() const {
+    return 1 <
+           std::count_if(command_.arguments.begin(), command_.arguments.end(), [&](const Argument& argument) {
+             const bool number =
+                 argument.kind == ArgumentKind::number || argument.kind == ArgumentKind::count;
+             return number && !argument.named && !given(argument);
+           });
   }
 
   // A quoted string, a string variable, or the bare path.
@@ -394,12 +405,18 @@ class ArgumentParser {
   }
 
   // In terms of a facet, or else of a vertex, or else of an edge; where none will do, what is wrong with the
-  // first is told.
+  // first is told. A kind named first (`vertex z`) leaves no choice.
   void field(TypedArgument& typed) {
     using language::ElementKind;
+    std::vector<ElementKind> kinds = {ElementKind::facet, ElementKind::vertex, ElementKind::edge};
+    const auto named = language::element_kind(tokens_.peek().text);
+    if (named && *named != ElementKind::body && !tokens_.peek(1).is_symbol("[")) {
+      kinds = {*named};
+      tokens_.take();
+    }
     const std::uint32_t begin = tokens_.mark();
     std::optional<text::Error> refused;
-    for (const ElementKind kind : {ElementKind::facet, ElementKind::vertex, ElementKind::edge}) {
+    for (const ElementKind kind : kinds) {
       tokens_.rewind(begin);
       const language::LocalNames local(names_);
       typed.field.kind = kind;

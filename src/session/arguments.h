@@ -72,7 +72,7 @@ struct ProcedureName {
 };
 
 // A number of each element, not yet evaluated: `color=length`. Of edges, vertices or facets, whichever have
-// the attributes that it names; facets where any would do.
+// the attributes that it names; facets where any would do; those named first in `color=vertex z`.
 struct Field {
   language::ElementKind kind = language::ElementKind::facet;
   language::LocalId slot;  // where the element in turn is put
