@@ -37,6 +37,18 @@ std::optional<AssignmentKind> assignment_kind(const Token& token) {
   return std::nullopt;
 }
 
+// Whether the text behind a word makes an assignment of it. `show --x` is none: there a step ends the
+// statement.
+bool begins_assignment(std::string_view after) {
+  for (const std::string_view symbol : {":=", "+=", "-=", "*=", "/="}) {
+    if (after.starts_with(symbol)) return true;
+  }
+  if (!after.starts_with("++") && !after.starts_with("--")) return false;
+  const std::size_t next = after.find_first_not_of(" \t", 2);
+  return next == std::string_view::npos ||
+         std::string_view(";})\r\n/").find(after[next]) != std::string_view::npos;
+}
+
 template <class Node>
 StatementPointer make(Node node, text::Place place) {
   auto result = std::make_unique<Statement>();
@@ -282,9 +294,7 @@ StatementPointer StatementParser::word_statement() {
   // What follows may be a file's name, not made of tokens.
   tokens_.peek();
   const std::string_view after = tokens_.text_after_next();
-  for (const std::string_view symbol : {":=", "+=", "-=", "*=", "/=", "++", "--"}) {
-    if (after.starts_with(symbol)) return assignment();
-  }
+  if (begins_assignment(after)) return assignment();
   if (after.starts_with("::=") || after.starts_with(":::=")) {
     const text::Place place = tokens_.peek(1).place;
     throw text::Error(place, "permanent definitions are not supported", "use :=");

@@ -54,6 +54,8 @@ TEST(Errors, AreShownWhereTheyStandWithWhatWouldBeRight) {
       {"print $", "1:7", "unexpected character"},
       {"if 1 > \"a\" then print 1", "1:8", "a number is needed"},
       {"vc 1 -1", "1:6", "-1"},
+      {"x := 1; x --y", "1:9", "is a value"},
+      {"quit --now", "1:6", "takes no arguments"},
       {"if 1 then", "1:10", "expected a command"},
       {"foreach vertx do print 1", "1:9", "expected vertices"},
   };
