@@ -1,23 +1,16 @@
 #include "picture/show.h"
 
-#include <array>
 #include <filesystem>
 
+#include "session/picture_words.h"
 #include "session/session.h"
 
 namespace lamella::session::commands {
 
 namespace {
 
-struct ShowOptions {
+struct ShowOptions : PictureWords {
   std::optional<File> file;
-  picture::PictureOptions defaults;
-  int width = defaults.width;    // pixels
-  int height = defaults.height;  // pixels
-  int samples = defaults.samples;
-  std::optional<std::array<double, 3>> from;
-  double zoom = 1;
-  bool transparent = false;
 };
 
 std::string default_path(const std::string& datafile) {
@@ -25,50 +18,47 @@ std::string default_path(const std::string& datafile) {
                           : std::filesystem::path(datafile).filename().replace_extension(".png").string();
 }
 
-std::optional<picture::View> view(const scene::Scene& scene, const ShowOptions& options) {
-  if (!options.from && options.zoom == 1) return std::nullopt;
-  picture::View view = picture::view_of(scene);
-  if (options.from) {
-    const auto& [x, y, z] = *options.from;
-    if (x == 0 && y == 0 && z == 0) throw text::Error("from (0, 0, 0) is no direction");
-    view.rotation = picture::looking_from({x, y, z});
+// What is not made of pixels is made of lines.
+picture::PictureOptions wanted_picture(Session& session, const ShowOptions& options, picture::FileKind kind) {
+  picture::PictureOptions picture = picture_options(session, options);
+  const bool lines_only = kind == picture::FileKind::svg || kind == picture::FileKind::pdf;
+  if (!lines_only || picture.style.line_drawing) return picture;
+  if (options.style) {
+    throw text::Error(options.style->place, "only style=paper can be written as lines",
+                      "other styles are pixels: show FILE.png");
   }
-  view.zoom = options.zoom;
-  return view;
+  ShowOptions on_paper = options;
+  on_paper.style = Word{"paper", {}};
+  return picture_options(session, on_paper);
 }
 
 void run(Session& session, const ShowOptions& options) {
   const scene::Scene& scene = session.scene();
   if (scene.empty()) throw text::Error("there is nothing to show", "load a datafile first: load cube.fe");
-  picture::PictureOptions picture;
-  picture.width = options.width;
-  picture.height = options.height;
-  picture.samples = options.samples;
-  picture.transparent = options.transparent;
-  picture.view = view(scene, options);
   const std::string path = options.file ? options.file->path : default_path(scene.name);
   try {
-    picture::show_file(scene, path, picture);
+    picture::show_file(scene, path, wanted_picture(session, options, picture::file_kind(path)));
   } catch (const text::Error& error) {
     throw options.file ? error.placed_at(options.file->place) : error;
   }
   session.tell("picture in {}\n", path);
 }
 
+std::vector<ArgumentOf<ShowOptions>> arguments() {
+  std::vector<ArgumentOf<ShowOptions>> table = {
+      positional<ShowOptions, std::optional<Elements>>("facets", &ShowOptions::elements,
+                                                       "which to draw; all unless given"),
+      positional("file", &ShowOptions::file, "the picture; NAME.png in the present folder unless given")};
+  for (ArgumentOf<ShowOptions>& word : picture_arguments<ShowOptions>()) table.push_back(std::move(word));
+  return table;
+}
+
 }  // namespace
 
-extern const Command show_command = make_command<ShowOptions>(
-    {.name = "show",
-     .aliases = {"s"},
-     .summary = "draw the scene into a PNG file",
-     .group = CommandGroup::output},
-    {positional("file", &ShowOptions::file, "the picture; NAME.png in the present folder unless given"),
-     option("width", &ShowOptions::width, "in pixels").at_least(1).at_most(picture::largest_side),
-     option("height", &ShowOptions::height, "in pixels").at_least(1).at_most(picture::largest_side),
-     option("from", &ShowOptions::from, "direction in which the viewer stands, such as (1, -2, 0.5)"),
-     option("zoom", &ShowOptions::zoom, "1 fits the whole scene").above(0),
-     option("samples", &ShowOptions::samples, "squared: samples in a pixel").at_least(1).at_most(4),
-     flag("transparent", &ShowOptions::transparent, "no background")},
-    run);
+extern const Command show_command = make_command<ShowOptions>({.name = "show",
+                                                               .aliases = {"s"},
+                                                               .summary = "draw the scene into a PNG file",
+                                                               .group = CommandGroup::output},
+                                                              arguments(), run);
 
 }  // namespace lamella::session::commands

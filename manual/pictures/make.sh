@@ -22,3 +22,11 @@ picture double_bubble double_bubble 'refine; refine; g 100; u; V; g 100; refine;
 picture wire_cube wire_cube 'refine; refine; relax; refine; relax 50'
 picture twisted_wire twisted_wire 'refine; relax; refine; relax; refine; relax 50'
 picture lattice lattice 'refine; refine; refine; g 5; V; g 20'
+sh "$here/interference.sh" "$lamella"
+
+picture styles_glass double_bubble 'refine; refine; g 100; u; V; g 100; refine; V; u; relax 60' 'style=glass'
+picture styles_paper wire_cube 'refine; refine; relax; refine; relax 50' 'style=paper'
+picture styles_wire twisted_wire 'refine; relax; refine; relax 50' 'style=wire'
+picture styles_regions lattice 'refine; refine; refine; g 5; V; g 20' 'style=regions explode=0.35 legend'
+picture styles_flat double_bubble 'refine; refine; g 100; u; V; g 50' 'style=flat'
+picture colours catenoid 'refine; refine; g 100; V; g 50' 'color=vertex z axes scale_bar'

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 namespace lamella::picture {
@@ -50,6 +51,30 @@ Colour evolver_colour(int number) {
       srgb(0x8a5a2b), srgb(0xb9bec4), srgb(0x62686f), srgb(0x6ea8f5), srgb(0x7bd88f), srgb(0x7fe3e6),
       srgb(0xf58a85), srgb(0xf09be8), srgb(0xf2d02c), srgb(0xffffff)};
   return number >= 0 && number < 16 ? colours[static_cast<std::size_t>(number)] : colours[evolver_white];
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 16> names = {
+    "black",    "blue",      "green",      "cyan",      "red",      "magenta",      "brown",  "lightgray",
+    "darkgray", "lightblue", "lightgreen", "lightcyan", "lightred", "lightmagenta", "yellow", "white"};
+
+}  // namespace
+
+std::optional<Colour> colour_named(std::string_view name) {
+  if (name == "black") return Colour{0, 0, 0};  // evolver_colour's is softer
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return evolver_colour(static_cast<int>(i));
+  }
+  std::uint32_t code = 0;
+  if (name.size() != 7 || name[0] != '#') return std::nullopt;
+  const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), code, 16);
+  if (error != std::errc() || end != name.data() + name.size()) return std::nullopt;
+  return srgb(code);
+}
+
+std::vector<std::string> colour_names() {
+  return {names.begin(), names.end()};
 }
 
 }  // namespace lamella::picture

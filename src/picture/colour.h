@@ -2,6 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace lamella::picture {
 
@@ -25,6 +29,11 @@ constexpr Colour mix(Colour a, Colour b, float part) {
 
 // The colour written 0xRRGGBB in sRGB, as painting programs and web pages write it.
 Colour srgb(std::uint32_t code);
+
+// One of the sixteen names below, or #rrggbb; nothing for other words.
+std::optional<Colour> colour_named(std::string_view name);
+// The names, without #rrggbb.
+std::vector<std::string> colour_names();
 
 // The sRGB byte of an amount of light, rounded; amounts beyond [0, 1] are cut.
 std::uint8_t srgb_byte(float light);

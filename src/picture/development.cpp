@@ -1,6 +1,7 @@
 #include "picture/development.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -49,35 +50,68 @@ Pixel translucent_pixel(const Layer& seen) {
 Exposure::Exposure(int width, int height)
     : width_(width),
       height_(height),
+      looks_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0F),
       sums_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), Layer{{0, 0, 0}, {0, 0, 0}}) {
 }
 
-void Exposure::add(const PaintedTile& painted) {
-  ++looks_;
+void Exposure::add(const PaintedTile& painted, std::span<const std::uint8_t> wanted) {
   const auto pixels = static_cast<std::ptrdiff_t>(sums_.size());
-#pragma omp parallel
+  // Few pixels are not worth waking other threads, which keep a processor busy when they wait for more.
+#pragma omp parallel if (wanted.empty())
   {
     Blender blender;
-#pragma omp for schedule(dynamic, 4096)
+#pragma omp for schedule(dynamic, 16384)
     for (std::ptrdiff_t i = 0; i < pixels; ++i) {
       const auto pixel = static_cast<std::size_t>(i);
+      if (!wanted.empty() && wanted[pixel] == 0) continue;
+      looks_[pixel] += 1;
       const float* tube = &painted.opaque[4 * pixel];
-      const float open = 1 - tube[3];
-      const Layer films = blender.blend(painted.fragments, painted.first[pixel]);
-      const Layer seen = over(films, {{tube[0], tube[1], tube[2]}, {open, open, open}});
+      Layer seen;
+      if (painted.first[pixel] != Fragment::end_of_list) {
+        seen = blender.blend(painted.fragments, painted.first[pixel]);
+      }
+      if (tube[3] > 0) {
+        const float open = 1 - tube[3];
+        seen = over(seen, {{tube[0], tube[1], tube[2]}, {open, open, open}});
+      }
       sums_[pixel] = {sums_[pixel].glow + seen.glow, sums_[pixel].clear + seen.clear};
     }
   }
 }
 
+// Light is compared by its root, much as eyes do.
+std::vector<std::uint8_t> Exposure::uneven(const Colour& behind) const {
+  constexpr float visible = 0.02F;
+  const auto width = static_cast<std::size_t>(width_);
+  std::vector<std::array<float, 3>> seen(sums_.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Colour light = sums_[i].glow + sums_[i].clear * behind;
+    seen[i] = {std::sqrt(light.red), std::sqrt(light.green), std::sqrt(light.blue)};
+  }
+  std::vector<std::uint8_t> result(sums_.size(), 0);
+  const auto compare = [&](std::size_t i, std::size_t j) {
+    float most = 0;
+    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(seen[i][k] - seen[j][k]));
+    if (most > visible) result[i] = result[j] = 1;
+  };
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+      if (x + 1 < width_) compare(i, i + 1);
+      if (y + 1 < height_) compare(i, i + width);
+    }
+  }
+  return result;
+}
+
 void Exposure::develop(Image& image, int x, int y, const Style& style, bool transparent) const {
-  const float share = 1 / static_cast<float>(looks_);
   for (int row = 0; row < height_; ++row) {
     const Colour behind = background(style, y + row, image.height);
-    const Layer* sums =
-        &sums_[static_cast<std::size_t>(height_ - 1 - row) * static_cast<std::size_t>(width_)];
+    const std::size_t first = static_cast<std::size_t>(height_ - 1 - row) * static_cast<std::size_t>(width_);
+    const Layer* sums = &sums_[first];
     Pixel* pixels = &image.at(x, y + row);
     for (int column = 0; column < width_; ++column) {
+      const float share = 1 / looks_[first + static_cast<std::size_t>(column)];
       const Layer seen{share * sums[column].glow, share * sums[column].clear};
       pixels[column] = transparent ? translucent_pixel(seen) : opaque_pixel(seen.glow + seen.clear * behind);
     }

@@ -1,6 +1,8 @@
 // From what was painted to the pixels of an image.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "picture/blending.h"
@@ -24,8 +26,12 @@ class Exposure {
  public:
   Exposure(int width, int height);
 
-  // Blends the films of each pixel and adds the outcome.
-  void add(const PaintedTile& painted);
+  // Blends the films of each pixel and adds the outcome; after the first look, of the pixels given by
+  // `wanted` (one a pixel; empty: all).
+  void add(const PaintedTile& painted, std::span<const std::uint8_t> wanted = {});
+
+  // After the first look: the pixels at which the picture is not smooth, so that more looks are worth it.
+  std::vector<std::uint8_t> uneven(const Colour& behind) const;
 
   // The mean of all looks, before the style's background or before none, at the place of the tile in the
   // image.
@@ -34,8 +40,8 @@ class Exposure {
  private:
   int width_;
   int height_;
-  int looks_ = 0;
-  std::vector<Layer> sums_;  // rows from the bottom to the top
+  std::vector<float> looks_;  // one a pixel
+  std::vector<Layer> sums_;   // rows from the bottom to the top
 };
 
 }  // namespace lamella::picture

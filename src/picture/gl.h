@@ -16,22 +16,22 @@ namespace lamella::picture {
 
 // clang-format off
 #define LAMELLA_GL_FUNCTIONS(X)                                                                            \
-  X(ATTACHSHADER, AttachShader) X(BINDBUFFER, BindBuffer) X(BINDBUFFERBASE, BindBufferBase)                \
+  X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) X(BINDBUFFER, BindBuffer) X(BINDBUFFERBASE, BindBufferBase)                \
   X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDTEXTURE, BindTexture) X(BINDVERTEXARRAY, BindVertexArray)      \
   X(BUFFERDATA, BufferData) X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(CLEAR, Clear)              \
   X(CLEARBUFFERDATA, ClearBufferData) X(CLEARCOLOR, ClearColor) X(COLORMASK, ColorMask)                    \
   X(COMPILESHADER, CompileShader) X(CREATEPROGRAM, CreateProgram) X(CREATESHADER, CreateShader)            \
   X(DELETEBUFFERS, DeleteBuffers) X(DELETEFRAMEBUFFERS, DeleteFramebuffers) X(DELETEPROGRAM, DeleteProgram)\
   X(DELETESHADER, DeleteShader) X(DELETETEXTURES, DeleteTextures) X(DELETEVERTEXARRAYS, DeleteVertexArrays)\
-  X(DEPTHMASK, DepthMask) X(DRAWARRAYSINSTANCED, DrawArraysInstanced) X(DRAWELEMENTS, DrawElements)        \
+  X(DEPTHMASK, DepthMask) X(DEPTHFUNC, DepthFunc) X(DRAWARRAYS, DrawArrays) X(DRAWARRAYSINSTANCED, DrawArraysInstanced) X(DRAWELEMENTS, DrawElements)        \
   X(ENABLE, Enable) X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                                    \
   X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) X(GENBUFFERS, GenBuffers)                                  \
   X(GENFRAMEBUFFERS, GenFramebuffers) X(GENTEXTURES, GenTextures) X(GENVERTEXARRAYS, GenVertexArrays)      \
   X(GETERROR, GetError) X(GETINTEGERV, GetIntegerv) X(GETPROGRAMINFOLOG, GetProgramInfoLog)                \
   X(GETPROGRAMIV, GetProgramiv) X(GETSHADERINFOLOG, GetShaderInfoLog) X(GETSHADERIV, GetShaderiv)          \
   X(GETUNIFORMLOCATION, GetUniformLocation) X(LINKPROGRAM, LinkProgram) X(MAPBUFFERRANGE, MapBufferRange)  \
-  X(MEMORYBARRIER, MemoryBarrier) X(READPIXELS, ReadPixels) X(SHADERSOURCE, ShaderSource)                  \
-  X(TEXSTORAGE2D, TexStorage2D) X(UNIFORM1F, Uniform1f) X(UNIFORM1UI, Uniform1ui) X(UNIFORM2F, Uniform2f)  \
+  X(MEMORYBARRIER, MemoryBarrier) X(PIXELSTOREI, PixelStorei) X(READPIXELS, ReadPixels) X(SHADERSOURCE, ShaderSource)                  \
+  X(TEXPARAMETERI, TexParameteri) X(TEXSTORAGE2D, TexStorage2D) X(TEXSUBIMAGE2D, TexSubImage2D) X(UNIFORM1F, Uniform1f) X(UNIFORM1UI, Uniform1ui) X(UNIFORM2F, Uniform2f)  \
   X(UNIFORM3F, Uniform3f) X(UNIFORM4F, Uniform4f) X(UNIFORMMATRIX3FV, UniformMatrix3fv)                    \
   X(UNMAPBUFFER, UnmapBuffer) X(USEPROGRAM, UseProgram) X(VERTEXATTRIBDIVISOR, VertexAttribDivisor)        \
   X(VERTEXATTRIBPOINTER, VertexAttribPointer) X(VIEWPORT, Viewport)

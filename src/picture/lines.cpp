@@ -49,10 +49,11 @@ double thinning(const Drawing& drawing, double border_length) {
 
 class LineCollector {
  public:
-  LineCollector(Drawing& drawing, const Film& film, const Style& style)
+  LineCollector(Drawing& drawing, const Film& film, const Style& style, std::span<const std::uint8_t> facets)
       : drawing_(drawing),
         film_(film),
         style_(style),
+        facets_(facets),
         colours_(film.columns(ElementKind::edge).find("color")) {}
 
   void collect(std::span<const Edge> creases) {
@@ -60,7 +61,7 @@ class LineCollector {
     double border_length = 0;
     kinds_.resize(film_.edge_rows(), LineKind::none);
     for (std::uint32_t e = 0; e < film_.edge_rows(); ++e) {
-      if (!film_.alive(Edge(e))) continue;
+      if (!film_.alive(Edge(e)) || !is_drawn(Edge(e))) continue;
       kinds_[e] = line_kind(film_, Edge(e));
       if (kinds_[e] != LineKind::border) continue;
       const auto& [tail, head] = film_.ends(Edge(e));
@@ -68,19 +69,44 @@ class LineCollector {
       for (const Vertex v : {tail, head}) ++borders_at_[v.index];
     }
     thinning_ = thinning(drawing_, border_length);
-    for (std::uint32_t e = 0; e < film_.edge_rows(); ++e) add(Edge(e));
     for (const Edge e : creases) {
-      if (kinds_[e.index] == LineKind::none) add(e, style_.crease, style_.crease.radius * thinning_);
+      if (kinds_[e.index] == LineKind::none && is_drawn(e)) kinds_[e.index] = LineKind::crease;
     }
+    const double mesh_radius = style_.mesh.radius > 0 ? thin_enough(style_.mesh.radius) : 0;
+    for (std::uint32_t e = 0; e < film_.edge_rows(); ++e) add(Edge(e), mesh_radius);
     for (std::uint32_t v = 0; v < film_.vertex_rows(); ++v) {
       if (borders_at_[v] >= 4) add_quad_point(Vertex(v));
     }
   }
 
  private:
-  void add(Edge e) {
+  bool is_drawn(Edge e) const {
+    if (facets_.empty() || !film_.first_side(e).valid()) return true;
+    bool any = false;
+    film_.for_each_side(e, [&](Side s) { any = any || facets_[s.triangle().index] != 0; });
+    return any;
+  }
+
+  // Lines of a fine mesh must leave something to be seen of its facets.
+  double thin_enough(double radius) const {
+    if (drawing_.triangles.empty()) return radius;
+    double length_sum = 0;
+    for (const auto& t : drawing_.triangles) {
+      const Point& a = drawing_.positions[t[0]];
+      const Point& b = drawing_.positions[t[1]];
+      length_sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+    return std::min(radius, 0.03 * length_sum / static_cast<double>(drawing_.triangles.size()));
+  }
+
+  void add(Edge e, double mesh_radius) {
     switch (kinds_[e.index]) {
       case LineKind::none:
+      case LineKind::mesh:
+        if (mesh_radius > 0 && film_.alive(e) && is_drawn(e)) add(e, style_.mesh, mesh_radius);
+        break;
+      case LineKind::crease:
+        add(e, style_.crease, style_.crease.radius * thinning_);
         break;
       case LineKind::border:
         add(e, style_.border, style_.border.radius * thinning_);
@@ -102,20 +128,23 @@ class LineCollector {
       if (number != evolver_black) colour = evolver_colour(number);
     }
     const auto& [tail, head] = film_.ends(e);
+    const LineKind kind = kinds_[e.index] == LineKind::none ? LineKind::mesh : kinds_[e.index];
     drawing_.tubes.push_back({drawing_.place(film_.position(tail)), static_cast<float>(radius),
-                              drawing_.place(film_.position(head)), static_cast<float>(line.gloss), colour});
+                              drawing_.place(film_.position(head)), static_cast<float>(line.gloss), colour,
+                              kind});
   }
 
   void add_quad_point(Vertex v) {
     const Point at = drawing_.place(film_.position(v));
     const double radius = style_.border.radius * thinning_ * style_.quad_point;
-    drawing_.tubes.push_back(
-        {at, static_cast<float>(radius), at, static_cast<float>(style_.border.gloss), style_.border.colour});
+    drawing_.tubes.push_back({at, static_cast<float>(radius), at, static_cast<float>(style_.border.gloss),
+                              style_.border.colour, LineKind::border});
   }
 
   Drawing& drawing_;
   const Film& film_;
   const Style& style_;
+  std::span<const std::uint8_t> facets_;
   const film::Column* colours_;
   std::vector<LineKind> kinds_;
   std::vector<std::uint32_t> borders_at_;
@@ -134,8 +163,9 @@ LineKind line_kind(const Film& film, Edge e) {
   return sides == 2 ? LineKind::none : LineKind::border;
 }
 
-void add_lines(Drawing& drawing, const Film& film, std::span<const Edge> creases, const Style& style) {
-  LineCollector(drawing, film, style).collect(creases);
+void add_lines(Drawing& drawing, const Film& film, std::span<const Edge> creases, const Style& style,
+               std::span<const std::uint8_t> facets) {
+  LineCollector(drawing, film, style, facets).collect(creases);
 }
 
 }  // namespace lamella::picture

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "picture/gl.h"
+#include "picture/interference.h"
 #include "picture/shaders.h"
 
 namespace lamella::picture {
@@ -18,8 +18,10 @@ constexpr GLuint counter_binding = 1;
 constexpr GLuint fragments_binding = 2;
 constexpr GLuint tints_binding = 3;
 
-// For one tile: 128 MB, of which only what is used is ever touched.
+// For one tile: 128 MB. The buffer begins with room for a few films behind each pixel and grows when a tile
+// shows more.
 constexpr std::size_t most_fragments = std::size_t{1} << 23;
+constexpr std::size_t first_fragments_a_pixel = 2;
 
 // Triangles that are drawn or left out together, with the part of the picture that they cover.
 struct Chunk {
@@ -85,36 +87,50 @@ class Mapped {
 struct Painter::State {
   const Drawing& drawing;
   const Style& style;
+  int tile_width;
+  int tile_height;
   std::unique_ptr<GlContext> context = make_gl_context();
   Gl gl{*context};
   Program film_program;
   Program tube_program;
+  Program mask_program;
   GlObject film_array = make_vertex_array(gl);
   GlObject tube_array = make_vertex_array(gl);
   GlObject positions = make_buffer(gl);
   GlObject normals = make_buffer(gl);
   GlObject bends = make_buffer(gl);
+  GlObject thickness = make_buffer(gl);
+  GlObject vertex_tints = make_buffer(gl);
   GlObject indices = make_buffer(gl);
   GlObject tubes = make_buffer(gl);
   GlObject tints = make_buffer(gl);
   GlObject lists = make_buffer(gl);
   GlObject counter = make_buffer(gl);
   GlObject fragments = make_buffer(gl);
-  GlObject light = make_texture(gl, GL_RGBA16F, largest_tile, largest_tile);
-  GlObject depth = make_texture(gl, GL_DEPTH_COMPONENT32F, largest_tile, largest_tile);
+  GlObject light = make_texture(gl, GL_RGBA32F, tile_width, tile_height);
+  GlObject depth = make_texture(gl, GL_DEPTH_COMPONENT32F, tile_width, tile_height);
+  GlObject mask = make_texture(gl, GL_R8UI, tile_width, tile_height);
+  GlObject interference =
+      make_texture(gl, GL_RGBA16F, interference_table().thicknesses, interference_table().cosines);
   GlObject framebuffer = make_framebuffer(gl);
   std::size_t capacity = 0;
+  std::size_t most = 0;
   Camera camera;
   std::vector<Chunk> chunks;
   std::vector<float> opaque;
   Mapped<std::uint32_t> mapped_lists;
   Mapped<Fragment> mapped_fragments;
 
-  State(const Drawing& d, const Style& s, const ShaderPair& film, const ShaderPair& tube)
+  State(const Drawing& d, const Style& s, int width, int height, const ShaderPair& film,
+        const ShaderPair& tube, const ShaderPair& masking)
       : drawing(d),
         style(s),
+        tile_width(width),
+        tile_height(height),
         film_program(gl, film.vertex, film.fragment),
-        tube_program(gl, tube.vertex, tube.fragment) {
+        tube_program(gl, tube.vertex, tube.fragment),
+        mask_program(gl, masking.vertex, masking.fragment) {
+    load_interference();
     load_films();
     load_tubes();
     make_target();
@@ -124,17 +140,35 @@ struct Painter::State {
     set_film_style();
   }
 
+  void load_interference() {
+    const InterferenceTable& table = interference_table();
+    std::vector<std::array<float, 4>> texels;
+    texels.reserve(table.colours.size());
+    for (const Colour& c : table.colours) texels.push_back({c.red, c.green, c.blue, 1});
+    gl.BindTexture(GL_TEXTURE_2D, interference.name());
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, table.thicknesses, table.cosines, GL_RGBA, GL_FLOAT,
+                     texels.data());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+
+  template <class T>
+  void load_attribute(GLuint location, GLint numbers, const GlObject& buffer, const std::vector<T>& values) {
+    fill(gl, buffer, GL_ARRAY_BUFFER, std::span<const T>(values));
+    gl.VertexAttribPointer(location, numbers, GL_FLOAT, GL_FALSE, sizeof(T), nullptr);
+    gl.EnableVertexAttribArray(location);
+  }
+
   void load_films() {
     gl.BindVertexArray(film_array.name());
-    fill(gl, positions, GL_ARRAY_BUFFER, std::span<const Point>(drawing.positions));
-    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Point), nullptr);
-    gl.EnableVertexAttribArray(0);
-    fill(gl, normals, GL_ARRAY_BUFFER, std::span<const Point>(drawing.normals));
-    gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Point), nullptr);
-    gl.EnableVertexAttribArray(1);
-    fill(gl, bends, GL_ARRAY_BUFFER, std::span<const float>(drawing.bends));
-    gl.VertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
-    gl.EnableVertexAttribArray(2);
+    load_attribute(0, 3, positions, drawing.positions);
+    load_attribute(1, 3, normals, drawing.normals);
+    load_attribute(2, 1, bends, drawing.bends);
+    load_attribute(3, 1, thickness, drawing.thickness);
+    static_assert(sizeof(VertexTint) == 4 * sizeof(float));
+    if (!drawing.vertex_tints.empty()) load_attribute(4, 4, vertex_tints, drawing.vertex_tints);
     fill(gl, indices, GL_ELEMENT_ARRAY_BUFFER,
          std::span<const std::array<std::uint32_t, 3>>(drawing.triangles));
     static_assert(sizeof(Tint) == 8 * sizeof(float));
@@ -167,16 +201,23 @@ struct Painter::State {
     gl.Enable(GL_DEPTH_TEST);
   }
 
+  void allocate(const GlObject& buffer, std::size_t bytes) const {
+    gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.name());
+    gl.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_READ);
+  }
+
   void make_lists() {
-    const auto allocate = [&](const GlObject& buffer, std::size_t bytes) {
-      gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.name());
-      gl.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_READ);
-    };
     GLint largest = 0;
     gl.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-    capacity = std::min(static_cast<std::size_t>(largest) / sizeof(Fragment), most_fragments);
-    allocate(lists, std::size_t{largest_tile} * largest_tile * sizeof(std::uint32_t));
+    most = std::min(static_cast<std::size_t>(largest) / sizeof(Fragment), most_fragments);
+    const auto pixels = static_cast<std::size_t>(tile_width) * static_cast<std::size_t>(tile_height);
+    allocate(lists, pixels * sizeof(std::uint32_t));
     allocate(counter, sizeof(std::uint32_t));
+    make_room(first_fragments_a_pixel * pixels);
+  }
+
+  void make_room(std::size_t wanted) {
+    capacity = std::min(wanted, most);
     allocate(fragments, capacity * sizeof(Fragment));
   }
 
@@ -196,17 +237,12 @@ struct Painter::State {
     film_program.set("grazing", film.grazing);
     film_program.set("falloff", film.falloff);
     film_program.set("iridescence", film.iridescence);
-    film_program.set("thickness", film.thickness_bottom, film.thickness_top);
+    film_program.set("most_thick", interference_table().most_thick);
+    film_program.set("faceted", film.faceted ? 1.0 : 0.0);
+    film_program.set("vertex_tinted", drawing.vertex_tints.empty() ? 0.0 : 1.0);
     film_program.set("highlights", film.highlights);
     film_program.set("tint_opacity", film.tint_opacity);
     film_program.set("tinted", drawing.tints.empty() ? 0.0 : 1.0);
-    float low = std::numeric_limits<float>::max();
-    float high = std::numeric_limits<float>::lowest();
-    for (const Point& p : drawing.positions) {
-      low = std::min(low, p[2]);
-      high = std::max(high, p[2]);
-    }
-    film_program.set("heights", low, high > low ? 1.0 / (high - low) : 0.0);
   }
 
   void set_camera(const Program& program, const Window& w) const {
@@ -236,11 +272,28 @@ struct Painter::State {
     }
   }
 
-  void draw_tubes(const Window& window) const {
+  // Pixels that are not wanted get the nearest depth of all: nothing that comes later is worked on there.
+  void draw_mask(const Tile& tile) const {
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, mask.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, tile.width, tile.height, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                     tile.wanted.data());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    mask_program.use();
+    gl.BindVertexArray(tube_array.name());
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
+
+  void draw_tubes(const Window& window, const Tile& tile) const {
     gl.DepthMask(GL_TRUE);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.ClearColor(0, 0, 0, 0);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (!tile.wanted.empty()) draw_mask(tile);
     if (drawing.tubes.empty()) return;
     set_camera(tube_program, window);
     gl.BindVertexArray(tube_array.name());
@@ -262,6 +315,8 @@ struct Painter::State {
     gl.DepthMask(GL_FALSE);
     gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     set_camera(film_program, window);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, interference.name());
     film_program.set("row_length", static_cast<GLuint>(width));
     film_program.set("capacity", static_cast<GLuint>(capacity));
     gl.BindVertexArray(film_array.name());
@@ -288,8 +343,9 @@ struct Painter::State {
   }
 };
 
-Painter::Painter(const Drawing& drawing, const Style& style)
-    : state_(std::make_unique<State>(drawing, style, film_shaders(), tube_shaders())) {}
+Painter::Painter(const Drawing& drawing, const Style& style, int tile_width, int tile_height)
+    : state_(std::make_unique<State>(drawing, style, tile_width, tile_height, film_shaders(), tube_shaders(),
+                                     mask_shaders())) {}
 
 Painter::~Painter() = default;
 
@@ -304,12 +360,18 @@ bool Painter::paint(const Tile& tile, PaintedTile& painted) {
   s.mapped_fragments = {};
   const Window window(tile);
   s.gl.Viewport(0, 0, tile.width, tile.height);
-  s.draw_tubes(window);
-  const std::size_t count = s.draw_films(window, tile.width);
-  if (count > s.capacity) return false;
+  s.draw_tubes(window, tile);
+  std::size_t count = s.draw_films(window, tile.width);
+  if (count > s.capacity) {
+    if (count > s.most) return false;
+    s.make_room(count + count / 4);
+    count = s.draw_films(window, tile.width);
+  }
   const std::size_t samples = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
   s.opaque.resize(4 * samples);
-  s.gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, s.opaque.data());
+  if (!s.drawing.tubes.empty()) {
+    s.gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, s.opaque.data());
+  }
   s.mapped_lists = Mapped<std::uint32_t>(s.gl, s.lists, samples);
   s.mapped_fragments = Mapped<Fragment>(s.gl, s.fragments, count);
   painted = {s.mapped_lists.values(), s.mapped_fragments.values(), s.opaque};

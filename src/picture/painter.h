@@ -23,6 +23,7 @@ struct Tile {
   int height = 0;
   double right = 0;
   double down = 0;
+  std::span<const std::uint8_t> wanted = {};  // one a pixel, rows from the bottom; empty: all of them
 };
 
 // What a tile shows. Rows run from the bottom to the top; the views are valid until the next tile is painted.
@@ -34,14 +35,11 @@ struct PaintedTile {
 
 class Painter {
  public:
-  // Both outlive the painter.
-  Painter(const Drawing& drawing, const Style& style);
+  // Both outlive the painter. Tiles are at most this wide and high.
+  Painter(const Drawing& drawing, const Style& style, int tile_width, int tile_height);
   ~Painter();
 
   void look_through(const Camera& camera);
-
-  // The largest width and height of a tile.
-  static constexpr int largest_tile = 1024;
 
   // False where the tile shows more fragments than there is room for: try smaller ones.
   bool paint(const Tile& tile, PaintedTile& painted);

@@ -65,18 +65,20 @@ constexpr const char* film_vertex = R"glsl(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float bend;
+layout(location = 3) in float thickness;
+layout(location = 4) in vec4 vertex_tint;
 out vec3 place;
 out float curvature;
 out vec3 facing;
-out float height;
-
-uniform vec2 heights;  // lowest, and one over the range
+out float nanometres;
+out vec4 own_tint;
 
 void main() {
   place = seen_from_eye(position);
   facing = axes * normal;
   curvature = bend;
-  height = (position.z - heights.x) * heights.y;
+  nanometres = thickness;
+  own_tint = vertex_tint;
   gl_Position = project(place);
 }
 )glsl";
@@ -86,8 +88,9 @@ layout(early_fragment_tests) in;
 
 in vec3 place;
 in vec3 facing;
-in float height;
+in float nanometres;
 in float curvature;
+in vec4 own_tint;
 
 struct Tint {
   vec4 front;   // colour, strength
@@ -109,7 +112,10 @@ uniform float opacity;
 uniform float grazing;
 uniform float falloff;
 uniform float iridescence;
-uniform vec2 thickness;  // at the bottom, at the top
+uniform sampler2D interference;  // by thickness and cosine
+uniform float most_thick;
+uniform float faceted;
+uniform float vertex_tinted;
 uniform float highlights;
 uniform float tint_opacity;
 uniform float haze;
@@ -119,20 +125,10 @@ uint pack(vec3 v) {
   return q.x | (q.y << 10) | (q.z << 20);
 }
 
-// The share of red, green and blue that the two faces of a water film reflect together, by the difference of
-// their paths; the mean over all thicknesses is 1.
-vec3 interference(float nanometres, float cosine) {
-  const float index = 1.33;
-  const vec3 wavelengths = vec3(630.0, 532.0, 465.0);
-  float inside = sqrt(1.0 - (1.0 - cosine * cosine) / (index * index));
-  vec3 phase = 6.2831853 * index * nanometres * inside / wavelengths;
-  vec3 s = sin(phase);
-  return 2.0 * s * s;
-}
-
 void main() {
   vec3 viewer = to_viewer(place);
-  vec3 n = dot(facing, facing) > 0.0 ? normalize(facing) : viewer;  // degenerate facets have no normal
+  vec3 direction = faceted > 0.5 ? cross(dFdx(place), dFdy(place)) : facing;
+  vec3 n = dot(direction, direction) > 0.0 ? normalize(direction) : viewer;  // degenerate facets have no normal
   // A lamp in a flat film would whiten the whole of it; highlights belong to what is curved.
   float shine = highlights * mix(0.15, 1.0, smoothstep(0.05, 0.5, curvature));
   float cosine = dot(n, viewer);
@@ -141,14 +137,20 @@ void main() {
   vec3 r = reflect(-viewer, n);
 
   float mirror = mix(opacity, grazing, pow(1.0 - cosine, falloff));
-  vec3 hue = mix(vec3(1.0), interference(mix(thickness.x, thickness.y, height), cosine), iridescence);
+  vec3 hue = vec3(1.0);
+  if (iridescence > 0.0) {
+    hue = mix(hue, textureLod(interference, vec2(nanometres / most_thick, cosine), 0.0).rgb, iridescence);
+  }
   vec3 clear = vec3(1.0 - mirror);
   vec3 glow = mirror * hue * surroundings(r);
   vec3 sparkle = shine * (0.22 + 0.6 * mirror) * mix(vec3(1.0), hue, 0.5) * lamps(r);
 
-  if (tinted > 0.5) {
-    Tint facet = tints[first_triangle + uint(gl_PrimitiveID)];
-    vec4 tint = gl_FrontFacing ? facet.front : facet.behind;
+  if (tinted + vertex_tinted > 0.5) {
+    vec4 tint = own_tint;
+    if (tinted > 0.5) {
+      Tint facet = tints[first_triangle + uint(gl_PrimitiveID)];
+      tint = gl_FrontFacing ? facet.front : facet.behind;
+    }
     float cover = tint_opacity * tint.w;
     float lit = 0.62 + 0.38 * max(dot(n, key_light), 0.0);
     glow = mix(glow, glow * tint.rgb, 0.6 * tint.w) + cover * lit * clear * tint.rgb;
@@ -165,6 +167,22 @@ void main() {
     uint next = atomicExchange(first[pixel], slot);
     fragments[slot] = uvec4(floatBitsToUint(depth), next, pack(sqrt(glow * 0.25)), pack(clear));
   }
+}
+)glsl";
+
+constexpr const char* mask_vertex = R"glsl(
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)glsl";
+
+constexpr const char* mask_fragment = R"glsl(
+uniform usampler2D wanted;
+
+void main() {
+  if (texelFetch(wanted, ivec2(gl_FragCoord.xy), 0).r != 0u) discard;
+  gl_FragDepth = 0.0;
 }
 )glsl";
 
@@ -279,6 +297,10 @@ void main() {
 ShaderPair film_shaders() {
   return {std::string(version) + projection + film_vertex,
           std::string(version) + projection + studio + film_fragment};
+}
+
+ShaderPair mask_shaders() {
+  return {std::string(version) + mask_vertex, std::string(version) + mask_fragment};
 }
 
 ShaderPair tube_shaders() {

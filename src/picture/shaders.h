@@ -16,4 +16,7 @@ ShaderPair film_shaders();
 // Tubes and balls, each a rectangle facing the viewer on which the true shape is found by a ray a pixel.
 ShaderPair tube_shaders();
 
+// One triangle over everything, of the nearest depth wherever the texture is 0.
+ShaderPair mask_shaders();
+
 }  // namespace lamella::picture

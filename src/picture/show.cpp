@@ -1,12 +1,16 @@
 #include "picture/show.h"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 #include <fmt/format.h>
 
-#include "picture/development.h"
 #include "picture/drawing.h"
-#include "picture/painter.h"
+#include "picture/explode.h"
+#include "picture/light.h"
+#include "picture/line_drawing.h"
+#include "picture/page.h"
 #include "picture/png.h"
 #include "text/error.h"
 #include "text/whole_file.h"
@@ -29,82 +33,106 @@ void refuse_bad_size(const PictureOptions& options) {
   }
 }
 
-// A rectangle of the image.
-struct Part {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
+[[noreturn]] void refuse_nothing(const PictureOptions& options) {
+  if (options.content.clip) throw text::Error("the clipping plane cuts everything away");
+  if (!options.content.facets.empty())
+    throw text::Error("there is nothing to draw: no facet was picked out, and there are no wires");
+  throw text::Error("there is nothing to draw: the scene has no facet and no edge",
+                    "load a datafile first, e.g. load datafiles/double_bubble.fe");
+}
+
+Writing writing(const scene::Scene& scene, const PictureOptions& options, const Drawing& drawing,
+                const Camera& camera) {
+  Writing writing{options.annotations, camera, drawing.radius, options.content.field, {}, {}, {}};
+  writing.behind = mix(options.style.background_top, options.style.background_bottom, 0.5F);
+  const std::vector<film::Vec3> centres = exploded_centres(scene, options.content.explode);
+  for (std::uint32_t b = 1; b < centres.size(); ++b) {
+    if (scene.bodies[b - 1].absent) continue;
+    const std::string number = fmt::format("{}", b);
+    writing.labels.push_back({drawing.place(centres[b]), number});
+    if (options.style.film.by_region)
+      writing.legend.push_back({"body " + number, region_colour(film::Region{b})});
+  }
+  return writing;
+}
+
+// Everything that a picture is made from.
+struct Prepared {
+  Drawing drawing;
+  Camera camera;
+  double aspect = 1;
 };
 
-// False where more films lie behind one another than there is room for.
-bool paint_part(Painter& painter, const PictureOptions& options, const Part& part, Image& image) {
-  Exposure exposure(part.width, part.height);
-  PaintedTile painted;
-  for (const Offset& offset : sample_offsets(options.samples)) {
-    const Tile tile{options.width, options.height, part.x,       part.y,
-                    part.width,    part.height,    offset.right, offset.down};
-    if (!painter.paint(tile, painted)) return false;
-    exposure.add(painted);
-  }
-  exposure.develop(image, part.x, part.y, options.style, options.transparent);
-  return true;
+Prepared prepare(const scene::Scene& scene, const PictureOptions& options) {
+  refuse_bad_size(options);
+  Prepared prepared{draw(scene, options.style, options.content), {}, 1};
+  if (prepared.drawing.empty()) refuse_nothing(options);
+  const View view = options.view ? *options.view : view_of(scene);
+  prepared.aspect = static_cast<double>(options.width) / options.height;
+  // Films that are shrunk to a point are still looked at from a distance.
+  const double around = std::max(prepared.drawing.largest_tube(), 1e-3);
+  prepared.camera = fit_camera(prepared.drawing.outline(), around, view, prepared.aspect);
+  return prepared;
 }
 
-// Divides a part into equal ones, `columns` by `rows`.
-std::vector<Part> divide(const Part& whole, int columns, int rows) {
-  std::vector<Part> parts;
-  const auto at = [](int length, int i, int count) {
-    return static_cast<int>(static_cast<long>(length) * i / count);
-  };
-  for (int j = 0; j < rows; ++j) {
-    for (int i = 0; i < columns; ++i) {
-      const int x = at(whole.width, i, columns);
-      const int y = at(whole.height, j, rows);
-      parts.push_back(
-          {whole.x + x, whole.y + y, at(whole.width, i + 1, columns) - x, at(whole.height, j + 1, rows) - y});
-    }
-  }
-  return parts;
+Paper paper(const scene::Scene& scene, const PictureOptions& options) {
+  const Prepared prepared = prepare(scene, options);
+  Paper paper;
+  paper.strokes = find_strokes(prepared.drawing, prepared.camera, prepared.aspect);
+  paper.width = options.width;
+  paper.height = options.height;
+  paper.background = options.style.background_top;
+  paper.transparent = options.transparent;
+  paper.line_width = options.line_width;
+  if (options.annotations.any()) paper.writing = writing(scene, options, prepared.drawing, prepared.camera);
+  return paper;
 }
 
-void paint_all(Painter& painter, const PictureOptions& options, Image& image) {
-  const auto tiles = [](int length) { return (length + Painter::largest_tile - 1) / Painter::largest_tile; };
-  std::vector<Part> waiting =
-      divide({0, 0, options.width, options.height}, tiles(options.width), tiles(options.height));
-  while (!waiting.empty()) {
-    const Part part = waiting.back();
-    waiting.pop_back();
-    if (paint_part(painter, options, part, image)) continue;
-    if (part.width == 1 && part.height == 1)
-      throw text::Error("too many films lie behind one another to draw them");
-    const std::vector<Part> smaller = divide(part, std::min(2, part.width), std::min(2, part.height));
-    waiting.insert(waiting.end(), smaller.begin(), smaller.end());
-  }
+std::string lower_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
 }
 
 }  // namespace
 
+FileKind file_kind(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".png" || extension.empty()) return FileKind::png;
+  if (extension == ".svg") return FileKind::svg;
+  if (extension == ".pdf") return FileKind::pdf;
+  if (extension == ".html") return FileKind::html;
+  throw text::Error(fmt::format("pictures are not written as \"{}\"", extension),
+                    "a picture is a .png, a line drawing also .svg or .pdf, and .html a page to turn it in");
+}
+
 Image render(const scene::Scene& scene, const PictureOptions& options) {
-  refuse_bad_size(options);
-  const Drawing drawing = draw(scene, options.style);
-  if (drawing.empty()) {
-    throw text::Error("there is nothing to draw: the scene has no facet and no edge",
-                      "load a datafile first, e.g. load datafiles/double_bubble.fe");
-  }
-  const View view = options.view ? *options.view : view_of(scene);
-  const double aspect = static_cast<double>(options.width) / options.height;
-  Painter painter(drawing, options.style);
-  // Films that are shrunk to a point are still looked at from a distance.
-  const double around = std::max(drawing.largest_tube(), 1e-3);
-  painter.look_through(fit_camera(drawing.outline(), around, view, aspect));
+  if (options.style.line_drawing) return paper_image(paper(scene, options));
+  const Prepared prepared = prepare(scene, options);
   Image image(options.width, options.height);
-  paint_all(painter, options, image);
+  paint_light(image, prepared.drawing, prepared.camera, options.style, options.samples, options.transparent);
+  if (options.annotations.any()) annotate(image, writing(scene, options, prepared.drawing, prepared.camera));
   return image;
 }
 
+std::string encode_picture(const scene::Scene& scene, FileKind kind, const PictureOptions& options) {
+  if (kind == FileKind::png) return encode_png(render(scene, options));
+  if (kind == FileKind::html) {
+    const Prepared prepared = prepare(scene, options);
+    Page page;
+    page.title = scene.name;
+    page.style = options.style;
+    page.bodies = static_cast<std::uint32_t>(scene.bodies.size());
+    page.camera = prepared.camera;
+    page.frames.push_back({prepared.drawing, scene.time});
+    return write_page(page);
+  }
+  const Paper drawing = paper(scene, options);
+  return kind == FileKind::svg ? paper_svg(drawing) : paper_pdf(drawing);
+}
+
 void show_file(const scene::Scene& scene, const std::string& path, const PictureOptions& options) {
-  text::write_whole_file(path, encode_png(render(scene, options)));
+  text::write_whole_file(path, encode_picture(scene, file_kind(path), options));
 }
 
 }  // namespace lamella::picture

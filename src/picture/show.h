@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "picture/annotations.h"
+#include "picture/content.h"
 #include "picture/image.h"
 #include "picture/style.h"
 #include "picture/view.h"
@@ -19,14 +21,24 @@ struct PictureOptions {
   int samples = 5;  // looks at each pixel, 1 to 64: edges are the smoother, the time is the longer
   Style style;
   std::optional<View> view;  // view_of(scene) if none
+  Content content;
+  Annotations annotations;
   bool transparent = false;  // no background
+  double line_width = 1;     // of line drawings, as a factor; light has it in the style
 };
 
 // Throws text::Error where there is nothing to draw, a coordinate is not finite, or the size is beyond
 // reason.
 Image render(const scene::Scene& scene, const PictureOptions& options);
 
-// Renders to a PNG file, which is written whole or not at all.
+// By a path's ending: .png (or none), .svg and .pdf for line drawings, .html for a page (page.h).
+enum class FileKind { png, svg, pdf, html };
+FileKind file_kind(const std::string& path);  // text::Error for other endings
+
+// The bytes of a file of this kind.
+std::string encode_picture(const scene::Scene& scene, FileKind kind, const PictureOptions& options);
+
+// Renders to a file, which is written whole or not at all.
 void show_file(const scene::Scene& scene, const std::string& path, const PictureOptions& options);
 
 }  // namespace lamella::picture
