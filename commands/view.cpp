@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "picture/view_words.h"
 #include "session/picture_words.h"
 #include "session/session.h"
@@ -21,7 +23,8 @@ struct ViewOptions {
 };
 
 void tell(Session& session, const picture::View& view) {
-  const film::Vec3 from = picture::axes(view.rotation)[2];
+  film::Vec3 from = picture::axes(view.rotation)[2];
+  for (double* const part : {&from.x, &from.y, &from.z}) *part = std::round(*part * 1e12) / 1e12 + 0.0;
   session.print("from ({:.4g}, {:.4g}, {:.4g}) zoom {:.4g} pan ({:.4g}, {:.4g}) lens {:.4g}\n", from.x,
                 from.y, from.z, view.zoom, view.right, view.up, view.field_of_view);
 }

@@ -55,7 +55,21 @@ class VolumeGradient {
     return border_pull(borders_[place - pairs_.size()]);
   }
 
-  // Calls function(vertex row, row i, gradient) for every nonzero row of every vertex.
+  // Calls function(vertex row, row i) wherever row i may be nonzero: the pattern, known before any update.
+  template <class Function>
+  void for_each_entry(Function&& function) const {
+    for (std::uint32_t v = 0; v < place_of_vertex_.size(); ++v) {
+      if (place_of_vertex_[v] >= pairs_.size()) continue;
+      const Pair& pair = pairs_[place_of_vertex_[v]];
+      if (pair.high >= 0) function(v, pair.high);
+      if (pair.low >= 0) function(v, pair.low);
+    }
+    for (const Border& border : borders_) {
+      for (std::uint32_t s = border.first; s < border.last; ++s) function(border.vertex, slots_[s].row);
+    }
+  }
+
+  // Calls function(vertex row, row i, gradient) for every nonzero row of every vertex, after an update.
   template <class Function>
   void for_each(Function&& function) const {
     for (std::uint32_t v = 0; v < place_of_vertex_.size(); ++v) {

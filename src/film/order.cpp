@@ -60,7 +60,8 @@ void restore_spatial_order(Film& film) {
 void restore_spatial_order_if_large(Film& film) {
   if (film.triangle_count() < facets_in_cache) return;
   // Neighbouring rows of a well ordered surface lie within a few of its widths.
-  if (mean_row_distance(film) > 4 * std::sqrt(static_cast<double>(film.vertex_count()))) restore_spatial_order(film);
+  if (mean_row_distance(film) > 4 * std::sqrt(static_cast<double>(film.vertex_count())))
+    restore_spatial_order(film);
 }
 
 double mean_row_distance(const Film& film) {

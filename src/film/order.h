@@ -5,13 +5,13 @@
 
 namespace lamella::film {
 
-// Puts a compact film's rows into an order in which a sweep over the triangles touches vertices that lie close together
-// in memory: vertices breadth-first along the edges (as E. Cuthill and J. McKee order a sparse matrix), edges and
-// triangles by their first vertex. Numbers that people see stay with their elements.
+// Puts a compact film's rows into an order in which a sweep over the triangles touches vertices that lie
+// close together in memory: vertices breadth-first along the edges (as E. Cuthill and J. McKee order a sparse
+// matrix), edges and triangles by their first vertex. Numbers that people see stay with their elements.
 //
-// On a film of 1.5 million facets, refined eight times, the gradient sweep then costs 12.5 instead of 33 ns a facet (a
-// Hilbert curve through the vertices gives 14 at best). Below about 100k facets everything is in cache and order does not
-// matter.
+// On a film of 1.5 million facets, refined eight times, the gradient sweep then costs 12.5 instead of 33 ns a
+// facet (a Hilbert curve through the vertices gives 14 at best). Below about 100k facets everything is in
+// cache and order does not matter.
 void restore_spatial_order(Film& film);
 
 // The same where it pays: for a film too large for the cache whose rows are scattered.

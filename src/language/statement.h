@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -92,5 +93,13 @@ struct Statement {
       node;
   text::Place place;
 };
+
+template <class Node>
+StatementPointer make_statement(Node node, text::Place place) {
+  auto result = std::make_unique<Statement>();
+  result->node = std::move(node);
+  result->place = std::move(place);
+  return result;
+}
 
 }  // namespace lamella::language

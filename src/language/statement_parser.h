@@ -26,6 +26,9 @@ class StatementScope : public Scope {
 // Whether a command ends before the next token: `;`, a line end, `}`, `)`, a redirection, `else` or `while`.
 bool at_command_end(LexerStream& tokens);
 
+// Whether a word of the language, such as foreach, is meant, in any case.
+bool is_keyword(std::string_view word);
+
 class StatementParser {
  public:
   StatementParser(LexerStream& tokens, StatementScope& scope) : tokens_(tokens), scope_(scope) {}

@@ -68,7 +68,7 @@ void ConstrainedHessian::build_pattern(const Problem& problem, const film::Film&
   collect_neighbours(film, basis, neighbours_start_, neighbours_);
   std::vector<std::uint32_t> bodies_at(basis.vertex_count());
   const energy::VolumeGradient& volume = problem.energy().volume_gradient();
-  volume.for_each([&](std::uint32_t v, int, const Vec3&) { ++bodies_at[v]; });
+  volume.for_each_entry([&](std::uint32_t v, int) { ++bodies_at[v]; });
 
   std::vector<int>& start = matrix_.column_start;
   start.assign(unknowns_ + constraints_ + 1, 0);
@@ -100,7 +100,7 @@ void ConstrainedHessian::build_pattern(const Problem& problem, const film::Film&
       }
     }
   }
-  volume.for_each([&](std::uint32_t v, int body, const Vec3&) {
+  volume.for_each_entry([&](std::uint32_t v, int body) {
     for (std::size_t at = basis.first(v); at < basis.first(v + 1); ++at) {
       border_entry_.push_back(next[at]);
       put(at, unknowns_ + static_cast<std::size_t>(body));

@@ -33,7 +33,7 @@ TEST(Show, TakesTheWordsOfAPicture) {
   const std::string file = folder / "a.png";
   const auto show = [&](const std::string& words) {
     std::filesystem::remove(file);
-    trial.out("show \"" + file + "\" size=40x30 samples 1 " + words);
+    trial.out("show \"" + file + "\" size=80x60 samples 1 " + words);
     EXPECT_TRUE(is_png(file)) << words;
     return file_content(file);
   };
