@@ -48,11 +48,6 @@ int free_slot(const Column& column, std::uint32_t row) {
   return column.width;
 }
 
-void bind(std::optional<EdgeIntegrand>& integrand, const language::Variables& variables) {
-  if (!integrand) return;
-  for (language::Formula& formula : *integrand) formula.bind(variables);
-}
-
 }  // namespace
 
 std::vector<int> constraints_of(const Scene& scene, ElementKind kind, std::uint32_t row) {
