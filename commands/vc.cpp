@@ -1,6 +1,7 @@
 #include "session/session.h"
 #include "session/tables.h"
 #include "solve/problem.h"
+#include "solve/reach_volumes.h"
 
 namespace lamella::session::commands {
 
@@ -17,11 +18,8 @@ struct VolumeControlOptions {
 void restore(Session& session) {
   scene::Scene& scene = session.scene();
   solve::Problem problem(scene);
-  bool ok = false;
-  problem.linearise(scene.film.positions(), ok);
   double energy = 0;
-  const solve::Ending ending =
-      ok ? problem.restore_volumes(scene.film.edit_positions(), energy) : solve::Ending::volume_lost;
+  const solve::Ending ending = solve::reach_volumes(scene, problem, scene.film.edit_positions(), energy);
   if (ending != solve::Ending::converged) {
     throw text::Error(std::string(solve::describe(ending)),
                       "fixed vertices may not let it; a smaller change, or one over a time, may get there");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "evolution/motion.h"
+#include "solve/reach_volumes.h"
 
 namespace lamella::evolution {
 
@@ -25,14 +26,14 @@ Ending start_at_targets(scene::Scene& scene) {
   if (!ok) return Ending::volume_lost;
   if (problem.volume_error() < 1e-9) return Ending::converged;
   double energy = 0;
-  return problem.restore_volumes(scene.film.edit_positions(), energy);
+  return solve::reach_volumes(scene, problem, scene.film.edit_positions(), energy);
 }
 
 // Makes steps one after the other and keeps account of them.
 class Walk {
  public:
-  Walk(scene::Scene& scene, const StepSize& size, scene::Monitor& monitor)
-      : motion_(scene), size_(size), monitor_(monitor) {}
+  Walk(scene::Scene& scene, const StepSize& size, scene::Monitor& monitor, const AfterStep& after_step)
+      : motion_(scene, size.method), size_(size), monitor_(monitor), after_step_(after_step) {}
 
   EvolveReport run(long steps);
 
@@ -42,6 +43,7 @@ class Walk {
   Motion motion_;
   const StepSize& size_;
   scene::Monitor& monitor_;
+  const AfterStep& after_step_;
   EvolveReport report_;
 };
 
@@ -68,6 +70,7 @@ Ending Walk::advance(double dt, long steps) {
     report_.largest_dt = std::max(report_.largest_dt, piece);
   }
   ++report_.steps;
+  if (after_step_) after_step_(motion_, report_.steps);
   return Ending::step_limit;
 }
 
@@ -89,15 +92,16 @@ EvolveReport Walk::run(long steps) {
 
 }  // namespace
 
-EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor) {
+EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor,
+                    const AfterStep& after_step) {
   EvolveReport report;
   report.ending = start_at_targets(scene);
-  return report.ending == Ending::converged ? Walk(scene, size, monitor).run(steps) : report;
+  return report.ending == Ending::converged ? Walk(scene, size, monitor, after_step).run(steps) : report;
 }
 
-double stability_bound(const scene::Scene& scene) {
+double stability_bound(const scene::Scene& scene, Method method) {
   scene::Scene copy = scene;
-  return Motion(copy).bound();
+  return Motion(copy, method).bound();
 }
 
 }  // namespace lamella::evolution

@@ -16,10 +16,12 @@
 // with its operator's factor 1/2, so both move alike. Mass is area times a density of 1.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "energy/film_energy.h"
+#include "evolution/motion.h"
 #include "scene/monitor.h"
 #include "scene/scene.h"
 #include "solve/gram_solver.h"
@@ -32,6 +34,7 @@ using film::Vec3;
 struct StepSize {
   std::optional<double> fixed;  // in units of time; larger ones than the bound are made in substeps
   double fraction = 0.5;        // of the stability bound, where not fixed
+  Method method = Method::euler;
 };
 
 struct EvolveReport {
@@ -51,10 +54,14 @@ struct EvolveReport {
 // pressures of the scene follow. Stops between steps (or the parts of one) when the monitor asks. If a step
 // cannot be made even after halving it repeatedly, the film stays in its last valid state and the ending says
 // why.
-EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor);
+// `after_step`, where given, is called after each of the steps with the motion, whose scene has the step's
+// time.
+using AfterStep = std::function<void(const Motion& motion, long step)>;
+EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor,
+                    const AfterStep& after_step = {});
 
 // The largest step for which linear theory promises stability at the scene's present shape: 2/sqrt(max
 // s_v/m_v), with s_v the stiffness sum of the vertex (energy/sweep.h).
-double stability_bound(const scene::Scene& scene);
+double stability_bound(const scene::Scene& scene, Method method = Method::euler);
 
 }  // namespace lamella::evolution

@@ -21,9 +21,11 @@ constexpr double most_energy_rise = 0.02;
 
 }  // namespace
 
-Motion::Motion(scene::Scene& scene)
+Motion::Motion(scene::Scene& scene, Method method)
     : scene_(scene),
+      method_(method),
       terms_(scene),
+      forces_(scene),
       gram_(terms_.volume_gradient().rows(), terms_.volume_gradient().pattern()),
       gram_values_(terms_.volume_gradient().pattern().size()),
       weights_(scene.film.vertex_rows()),
@@ -31,46 +33,135 @@ Motion::Motion(scene::Scene& scene)
       v_(velocities(scene.film)),
       next_x_(x_.size()),
       next_v_(x_.size()),
+      pushes_(forces_.empty() ? 0 : x_.size()),
       errors_(terms_.constrained().size()),
       multipliers_(errors_.size()),
       next_pressures_(errors_.size()) {
   for (const film::Region region : terms_.constrained()) pressures_.push_back(scene.body(region).pressure);
   energy_ = terms_.gradient(x_);
   masses_ = carried_masses(scene.film, terms_.lines());
-  const auto fixed = scene.film.columns(film::ElementKind::vertex).flags("fixed");
-  for (std::size_t v = 0; v < x_.size(); ++v) {
-    const bool stays = masses_[v] <= 0 || (!fixed.empty() && fixed[v] != 0);
-    weights_[v] = stays ? 0 : 1 / masses_[v];
-    if (stays) v_[v] = {};
-    kinetic_ += 0.5 * masses_[v] * squared_length(v_[v]);
-  }
+  weigh();
   sound_ = linearise();
 }
 
-// After terms_.gradient: the bound, and the factors for the volume constraints.
+// Inverse masses and the kinetic energy that go with the masses.
+void Motion::weigh() {
+  const auto fixed = scene_.film.columns(film::ElementKind::vertex).flags("fixed");
+  kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    const bool stays = masses_[v] <= 0 || (!fixed.empty() && fixed[v] != 0);
+    weights_[v] = stays ? 0 : 1 / masses_[v];
+    if (stays || method_ == Method::gradient) v_[v] = {};
+    kinetic_ += 0.5 * masses_[v] * squared_length(v_[v]);
+  }
+}
+
+// After terms_.gradient at x_: outer forces, the bound, and the factors for the volume constraints.
 bool Motion::linearise() {
   const std::span<const energy::VertexLine> lines = terms_.lines();
+  if (scene_.mass_of_area) {
+    for (std::size_t v = 0; v < masses_.size(); ++v) masses_[v] = lines[v].area;
+    weigh();
+  }
+  if (!forces_.empty() && !forces_.evaluate(x_, v_, lines, scene_.time, pushes_)) return false;
   double stiffest = 0;
   for (std::size_t v = 0; v < weights_.size(); ++v)
     stiffest = std::max(stiffest, lines[v].stiffness * weights_[v]);
-  bound_ = stiffest > 0 ? 2 / std::sqrt(stiffest) : HUGE_VAL;
+  const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
+  bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;
   if (!std::isfinite(energy_)) return false;
   if (errors_.empty()) return true;
   terms_.volume_gradient().gram(weights_, gram_values_);
   return gram_.factorise(gram_values_);
 }
 
-void Motion::kick_and_drift(double dt) {
+// The kick from the forces at x_, then the drift from x_ with the velocities that it leaves.
+void Motion::kick_and_drift(double kick, double drift) {
   const std::span<const energy::VertexLine> lines = terms_.lines();
   energy::VolumeGradient& volume = terms_.volume_gradient();
   volume.set_multipliers(pressures_);
   const bool free = errors_.empty();
-  const double kept = std::exp(-scene_.damping * dt);
-  next_kinetic_ = 0;
+  const bool pushed = !pushes_.empty();
+  const double kept = std::exp(-scene_.damping * kick);
+  next_kinetic_ = work_ = damped_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
     const Vec3 force = free ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
-    next_v_[v] = kept * (v_[v] + (dt * weights_[v]) * force);
+    Vec3 velocity = v_[v] + (kick * weights_[v]) * force;
+    if (pushed && weights_[v] != 0) {
+      velocity += kick * pushes_[v];
+      work_ += 0.5 * kick * masses_[v] * dot(pushes_[v], velocity + v_[v]);
+    }
+    const double undamped = 0.5 * masses_[v] * squared_length(velocity);
+    next_v_[v] = kept * velocity;
+    next_x_[v] = x_[v] + drift * next_v_[v];
+    next_kinetic_ += kept * kept * undamped;
+    damped_ += (1 - kept * kept) * undamped;
+  }
+}
+
+// The step of the gradient flow; next_v_ is how fast it moves.
+void Motion::descend(double dt) {
+  const std::span<const energy::VertexLine> lines = terms_.lines();
+  energy::VolumeGradient& volume = terms_.volume_gradient();
+  volume.set_multipliers(pressures_);
+  work_ = damped_ = next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    next_v_[v] = weights_[v] * (volume.pull(v) - lines[v].gradient);
+    if (!pushes_.empty() && weights_[v] != 0) {
+      next_v_[v] += pushes_[v];
+      work_ += dt * masses_[v] * dot(pushes_[v], next_v_[v]);
+    }
     next_x_[v] = x_[v] + dt * next_v_[v];
+  }
+}
+
+// Verlet's second half, with the forces at next_x_, where terms_ are.
+bool Motion::second_kick(double dt) {
+  const std::span<const energy::VertexLine> lines = terms_.lines();
+  energy::VolumeGradient& volume = terms_.volume_gradient();
+  if (!forces_.empty() && !forces_.evaluate(next_x_, next_v_, lines, scene_.time + dt, pushes_)) return false;
+  volume.set_multipliers(next_pressures_);
+  const double half = 0.5 * dt;
+  const double kept = std::exp(-scene_.damping * half);
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    const Vec3 before = next_v_[v];
+    const Vec3 force = errors_.empty() ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
+    next_v_[v] += (half * weights_[v]) * force;
+    if (!pushes_.empty() && weights_[v] != 0) {
+      next_v_[v] += half * pushes_[v];
+      work_ += 0.5 * half * masses_[v] * dot(pushes_[v], next_v_[v] + before);
+    }
+    const double undamped = 0.5 * masses_[v] * squared_length(next_v_[v]);
+    next_v_[v] = kept * next_v_[v];
+    damped_ += (1 - kept * kept) * undamped;
+    next_kinetic_ += kept * kept * undamped;
+  }
+  terms_.constraints().restrict(next_v_);
+  if (errors_.empty()) return true;
+  volume.gram(weights_, gram_values_);
+  if (!gram_.factorise(gram_values_)) return false;
+  project_velocities(dt);
+  return true;
+}
+
+// Takes out of next_v_ what would change volumes other than as their targets do.
+void Motion::project_velocities(double dt) {
+  energy::VolumeGradient& volume = terms_.volume_gradient();
+  std::vector<double>& rates = errors_;
+  ones_.assign(x_.size(), 1.0);
+  volume.dot(ones_, next_v_, rates);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const scene::Body& body = scene_.body(terms_.constrained()[i]);
+    const double wanted =
+        (scene::target_at(body, scene_.time + dt) - scene::target_at(body, scene_.time)) / dt;
+    rates[i] = wanted - rates[i];
+  }
+  gram_.solve(rates, multipliers_);
+  volume.set_multipliers(multipliers_);
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    next_v_[v] += weights_[v] * volume.pull(v);
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
 }
@@ -99,7 +190,8 @@ void Motion::correct(double dt) {
     next_v_[v] += shift / dt;
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
-  for (std::size_t i = 0; i < errors_.size(); ++i) next_pressures_[i] += multipliers_[i] / (dt * dt);
+  const double span = method_ == Method::gradient ? dt : method_ == Method::verlet ? 0.5 * dt * dt : dt * dt;
+  for (std::size_t i = 0; i < errors_.size(); ++i) next_pressures_[i] += multipliers_[i] / span;
 }
 
 bool Motion::keep_volumes(double dt) {
@@ -131,7 +223,7 @@ bool Motion::rises_from_nowhere(double energy, double kinetic) const {
   if (terms_.constraints().moves()) return false;
   const bool inflating = std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
                                      [](const scene::Body& body) { return body.ramp.has_value(); });
-  const double before = energy_ + kinetic_;
+  const double before = energy_ + kinetic_ + std::max(0.0, work_);
   return !inflating && energy + kinetic > before + most_energy_rise * std::abs(before);
 }
 
@@ -145,11 +237,20 @@ Ending Motion::undo(Ending why) {
 
 Ending Motion::step(double dt) {
   if (!sound_) return std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite;
-  kick_and_drift(dt);
+  if (method_ == Method::gradient) {
+    descend(dt);
+  } else {
+    kick_and_drift(method_ == Method::verlet ? 0.5 * dt : dt, dt);
+  }
   terms_.set_time(scene_.time + dt);
   if (!keep_constraints(dt)) return undo(Ending::constraint_lost);
   if (!errors_.empty() && !keep_volumes(dt)) return undo(Ending::volume_lost);
   const double energy = terms_.gradient(next_x_);
+  if (method_ == Method::verlet && !second_kick(dt)) return undo(Ending::not_finite);
+  if (method_ == Method::gradient) {
+    std::fill(next_v_.begin(), next_v_.end(), Vec3{});
+    next_kinetic_ = 0;
+  }
   const bool finite = std::isfinite(energy + next_kinetic_);
   if (!finite) return undo(Ending::not_finite);
   if (rises_from_nowhere(energy, next_kinetic_)) return undo(Ending::stuck);
@@ -158,6 +259,7 @@ Ending Motion::step(double dt) {
   std::swap(pressures_, next_pressures_);
   energy_ = energy;
   kinetic_ = next_kinetic_;
+  scene_.work += work_ - damped_;
   scene_.time += dt;
   scene::advance_targets(scene_, scene_.time);
   for (std::size_t i = 0; i < pressures_.size(); ++i)

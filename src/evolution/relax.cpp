@@ -5,6 +5,7 @@
 
 #include "energy/mesh_quality.h"
 #include "scene/constraint_sets.h"
+#include "solve/reach_volumes.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
 
@@ -51,7 +52,9 @@ bool Relaxer::meet_targets() {
   bool ok = false;
   report_.energy = problem.linearise(scene_.film.positions(), ok);
   if (ok && problem.volume_error() < 1e-12 && problem.energy().constraints().empty()) return true;
-  if (ok) ok = problem.restore_volumes(scene_.film.edit_positions(), report_.energy) == Ending::converged;
+  if (ok)
+    ok = solve::reach_volumes(scene_, problem, scene_.film.edit_positions(), report_.energy) ==
+         Ending::converged;
   if (!ok) report_.ending = std::isfinite(report_.energy) ? Ending::volume_lost : Ending::not_finite;
   problem.publish(scene_);
   return ok;

@@ -13,6 +13,7 @@
 #include "language/procedure.h"
 #include "language/variables.h"
 #include "scene/constraint.h"
+#include "scene/forces.h"
 
 namespace lamella::scene {
 
@@ -75,8 +76,11 @@ struct Scene {
       false;           // how the volume of a body that is not closed is measured (energy/volume.h)
   double time = 0;     // total_time
   double damping = 0;  // 1/s, for evolve
-  std::string name;    // the datafile's path, empty for none
-  std::string title;   // its first comment lines, kept for saving
+  Forces forces;
+  bool mass_of_area = false;  // vertices weigh what their present area does, instead of carrying their mass
+  double work = 0;            // done on the film by forces, less what damping took, since motion began
+  std::string name;           // the datafile's path, empty for none
+  std::string title;          // its first comment lines, kept for saving
   std::vector<CosmeticLine> cosmetics;
   std::string read_section;  // the text after READ, without procedures and variables
 

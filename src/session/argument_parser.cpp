@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "language/formula_scope.h"
 #include "language/functions.h"
 #include "session/names.h"
 #include "text/suggest.h"
@@ -235,6 +236,9 @@ class ArgumentParser {
       case ArgumentKind::commands:
         commands(typed);
         break;
+      case ArgumentKind::formulas:
+        formulas(typed);
+        break;
     }
     return typed;
   }
@@ -312,6 +316,30 @@ class ArgumentParser {
                         fmt::format("expected \")\", found {}", describe(tokens_.peek())));
     }
     if (bracketed) tokens_.take();
+  }
+
+  // (fx, fy, fz), or the word for none.
+  void formulas(TypedArgument& typed) {
+    if (!typed.argument->word_for_none.empty() && tokens_.peek().is_word(typed.argument->word_for_none)) {
+      typed.word = text::lower(tokens_.take().text);
+      return;
+    }
+    const auto expect = [&](std::string_view symbol) {
+      if (tokens_.peek().is_symbol(symbol)) return;
+      throw text::Error(tokens_.peek().place,
+                        fmt::format("expected \"{}\", found {}", symbol, describe(tokens_.peek())),
+                        fmt::format("{} is three formulas, as in (0, 0, -1)", typed.argument->name));
+    };
+    expect("(");
+    tokens_.take();
+    const language::Brackets brackets(tokens_);
+    typed.formulas.emplace();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      typed.formulas->formula.component[axis] = language::parse_formula(
+          tokens_, language::FormulaKind::space, names_.variables(), scene::vertex_state_names);
+      expect(axis < 2 ? "," : ")");
+      tokens_.take();
+    }
   }
 
   // The name of the element in turn holds in the arguments that follow, too.

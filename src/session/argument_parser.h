@@ -25,6 +25,7 @@ struct TypedArgument {
   std::optional<language::ElementKind> attribute_of;  // of a definition
   Field field;
   std::shared_ptr<const language::Block> commands;
+  std::optional<VertexFormulas> formulas;
 };
 
 // A command with its arguments.

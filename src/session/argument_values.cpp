@@ -79,6 +79,8 @@ std::optional<GivenValue> value_of(const TypedArgument& typed, language::Evaluat
     }
     case ArgumentKind::commands:
       return Commands{typed.commands};
+    case ArgumentKind::formulas:
+      return *typed.formulas;
   }
   return std::nullopt;
 }

@@ -14,6 +14,7 @@
 #include "language/elements.h"
 #include "language/expression.h"
 #include "language/statement.h"
+#include "scene/forces.h"
 #include "text/source.h"
 
 namespace lamella::session {
@@ -85,6 +86,11 @@ struct Commands {
   std::shared_ptr<const language::Block> block;
 };
 
+// Three formulas of a vertex, as in (0, -z, vx): see scene/forces.h.
+struct VertexFormulas {
+  scene::VectorFormula formula;
+};
+
 // What `print` may be given.
 using Printable = std::variant<ProcedureName, const language::Expression*>;
 
@@ -106,11 +112,13 @@ enum class ArgumentKind : std::uint8_t {
   printable,
   field,
   commands,
+  formulas,
 };
 
 // The value of an argument, as it reaches the options.
-using GivenValue = std::variant<double, long, std::string, File, Word, bool, std::vector<double>, Elements,
-                                Selection, Expressions, Setting, Definition, Printable, Field, Commands>;
+using GivenValue =
+    std::variant<double, long, std::string, File, Word, bool, std::vector<double>, Elements, Selection,
+                 Expressions, Setting, Definition, Printable, Field, Commands, VertexFormulas>;
 
 struct Argument {
   std::string name;
@@ -181,6 +189,8 @@ template <>
 struct Filled<Field> : FilledAs<ArgumentKind::field, Field> {};
 template <>
 struct Filled<Commands> : FilledAs<ArgumentKind::commands, Commands> {};
+template <>
+struct Filled<VertexFormulas> : FilledAs<ArgumentKind::formulas, VertexFormulas> {};
 template <std::size_t n>
 struct Filled<std::array<double, n>> {
   static constexpr ArgumentKind kind = ArgumentKind::numbers;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace lamella::session {
 
 namespace {
@@ -58,13 +60,19 @@ bool procedures_differ(const language::Procedures& a, const language::Procedures
   });
 }
 
+std::string forces_text(const scene::Forces& forces) {
+  return fmt::format("{}|{}|{}", forces.force ? forces.force->text() : "",
+                     forces.wind ? forces.wind->text() : "", forces.wind_pressure);
+}
+
 bool settings_differ(const scene::Scene& a, const scene::Scene& b) {
   return a.gravity.constant != b.gravity.constant || a.gravity.on != b.gravity.on ||
          a.scale.value != b.scale.value || a.scale.fixed != b.scale.fixed || a.scale.limit != b.scale.limit ||
          a.keep_volumes != b.keep_volumes || a.symmetric_content != b.symmetric_content || a.time != b.time ||
          a.level_sets.size() != b.level_sets.size() || a.boundaries.size() != b.boundaries.size() ||
          a.gap_constant != b.gap_constant || a.edge_integral_order != b.edge_integral_order ||
-         a.damping != b.damping || a.name != b.name;
+         a.damping != b.damping || a.mass_of_area != b.mass_of_area || a.work != b.work ||
+         forces_text(a.forces) != forces_text(b.forces) || a.name != b.name;
 }
 
 }  // namespace

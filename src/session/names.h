@@ -50,6 +50,7 @@ class Names : public language::StatementScope {
   void forget_promises();
 
   std::span<const Command* const> commands() const { return commands_; }
+  const language::Variables& variables() const { return scene_.variables; }
 
  private:
   struct Promise {

@@ -21,7 +21,8 @@ namespace {
 void append(const std::string& path, std::string_view content) {
   std::FILE* const file = std::fopen(path.c_str(), "a");
   if (file == nullptr) fail(path, errno);
-  const bool written = content.empty() || std::fwrite(content.data(), 1, content.size(), file) == content.size();
+  const bool written =
+      content.empty() || std::fwrite(content.data(), 1, content.size(), file) == content.size();
   const int code = errno;
   if (std::fclose(file) != 0 || !written) fail(path, written ? errno : code);
 }

@@ -22,6 +22,9 @@ std::string placeholder(const Argument& argument) {
     case ArgumentKind::file:
       value = "file";
       break;
+    case ArgumentKind::formulas:
+      value = "(formula, formula, formula)";
+      break;
     case ArgumentKind::numbers:
       value = "(numbers)";
       break;

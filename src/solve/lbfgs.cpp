@@ -4,8 +4,7 @@
 #include <cmath>
 #include <deque>
 
-#include "solve/laplacian.h"
-#include "solve/vector_laplacian.h"
+#include "solve/film_metric.h"
 
 namespace lamella::solve {
 
@@ -28,11 +27,6 @@ void add_scaled(Field& a, double factor, const Field& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
 }
 
-std::unique_ptr<Metric> metric_for(Problem& problem, const scene::Scene& scene) {
-  if (problem.energy().constraints().empty()) return std::make_unique<Laplacian>(scene, problem.weights());
-  return std::make_unique<VectorLaplacian>(scene, problem.weights(), problem.energy().constraints());
-}
-
 // A step taken and what it did to the gradient.
 struct Pair {
   Field step;
@@ -44,7 +38,7 @@ class Minimiser {
  public:
   Minimiser(Problem& problem, const scene::Scene& scene, std::span<Vec3> x, MotionKind motion)
       : problem_(problem),
-        metric_(metric_for(problem, scene)),
+        metric_(film_metric(scene, problem)),
         freedom_(scene.film, motion),
         x_(x),
         from_(x.size()),

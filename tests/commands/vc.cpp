@@ -18,6 +18,18 @@ TEST(Vc, SetsATargetAtOnce) {
   EXPECT_EQ(trial.number("body[1].target"), 1);
 }
 
+// Films stay in their order around every border, however far the volume goes.
+TEST(Vc, LargeChangesDoNotFoldFilms) {
+  for (const char* volume : {"0.01", "0.5", "2", "100"}) {
+    Trial trial("double_bubble.fe");
+    trial.out("refine 2; relax");
+    trial.out("vc 1 " + std::string(volume));
+    EXPECT_EQ(trial.out("check; print check_count"), "0\n") << volume;
+    EXPECT_NEAR(std::stod(trial.out("print body[1].volume")) / std::stod(volume), 1, 1e-11);
+    EXPECT_NEAR(std::stod(trial.out("print body[2].volume")), 1, 1e-11);
+  }
+}
+
 TEST(Vc, AloneRestoresAndReports) {
   Trial trial("cube.fe");
   trial.session().set_quiet(false);

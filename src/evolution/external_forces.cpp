@@ -1,0 +1,64 @@
+#include "evolution/external_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "film/normals.h"
+
+namespace lamella::evolution {
+
+namespace {
+
+void bind(std::optional<scene::VectorFormula>& formula, const language::Variables& variables) {
+  if (!formula) return;
+  for (language::Formula& component : formula->component) component.bind(variables);
+}
+
+Vec3 value(const scene::VectorFormula& formula, const language::FormulaInputs& inputs) {
+  return {formula.component[0].value(inputs), formula.component[1].value(inputs),
+          formula.component[2].value(inputs)};
+}
+
+bool mentions_normal(const std::optional<scene::VectorFormula>& formula) {
+  return formula && formula->text().find('n') != std::string::npos;
+}
+
+}  // namespace
+
+ExternalForces::ExternalForces(const scene::Scene& scene) : film_(scene.film), forces_(scene.forces) {
+  bind(forces_.force, scene.variables);
+  bind(forces_.wind, scene.variables);
+  needs_normals_ = forces_.wind.has_value() || mentions_normal(forces_.force);
+}
+
+bool ExternalForces::evaluate(std::span<const Vec3> x, std::span<const Vec3> v,
+                              std::span<const energy::VertexLine> lines, double time,
+                              std::span<Vec3> accelerations) {
+  if (needs_normals_) area_vectors_ = film::area_vectors(film_, x);
+  bool finite = true;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    // Where regions differ the sweep's vector has a meaning of its own: out of the bubble.
+    const bool closed = squared_length(lines[i].area_vector) > 1e-12 * lines[i].area * lines[i].area;
+    Vec3 normal;
+    if (needs_normals_) {
+      const Vec3 along = closed ? lines[i].area_vector : area_vectors_[i];
+      const double size = length(along);
+      if (size > 0) normal = along / size;
+    }
+    const std::array<double, 3> at = {x[i].x, x[i].y, x[i].z};
+    const std::array<double, 6> state = {v[i].x, v[i].y, v[i].z, normal.x, normal.y, normal.z};
+    const language::FormulaInputs inputs{at, time, state};
+    Vec3 sum;
+    if (forces_.force) sum += value(*forces_.force, inputs);
+    if (forces_.wind) {
+      const double through = dot(value(*forces_.wind, inputs) - v[i], normal);
+      const bool sheltered = closed && through > 0;
+      if (!sheltered) sum += (forces_.wind_pressure * through) * normal;
+    }
+    accelerations[i] = sum;
+    finite = finite && std::isfinite(sum.x + sum.y + sum.z);
+  }
+  return finite;
+}
+
+}  // namespace lamella::evolution
