@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "evolution/hyperbolic.h"
+#include "session/motion_log.h"
 #include "session/session.h"
 
 namespace lamella::session::commands {
@@ -10,13 +11,20 @@ namespace {
 struct EvolveOptions {
   long steps = 1;
   std::optional<double> dt;
+  std::optional<std::string> method;
+  bool keep_mesh = false;
 };
+
+evolution::Method method_named(const std::string& name) {
+  if (name == "verlet") return evolution::Method::verlet;
+  return name == "gradient" ? evolution::Method::gradient : evolution::Method::euler;
+}
 
 // Outside of this many steps to or from the stability bound there is nothing but waiting or rounding errors.
 constexpr double most_ratio = 1e9;
 
-void check_step(const scene::Scene& scene, double dt) {
-  const double bound = evolution::stability_bound(scene);
+void check_step(const scene::Scene& scene, double dt, evolution::Method method) {
+  const double bound = evolution::stability_bound(scene, method);
   if (!std::isfinite(bound) || (dt < most_ratio * bound && dt > bound / most_ratio)) return;
   throw text::Error(
       fmt::format("dt is too {}: {:g}", dt > bound ? "large" : "small", dt),
@@ -36,10 +44,16 @@ std::string counted(long number, std::string_view what) {
 void run(Session& session, const EvolveOptions& options) {
   scene::Scene& scene = session.scene();
   if (scene.empty()) throw text::Error("there is no film to move", "load a datafile first: load \"cube.fe\"");
-  if (options.dt) check_step(scene, *options.dt);
   evolution::StepSize size;
   size.fixed = options.dt;
-  const evolution::EvolveReport report = evolution::evolve(scene, options.steps, size, session.monitor());
+  size.upkeep = !options.keep_mesh;
+  size.method = method_named(options.method.value_or("euler"));
+  if (options.dt) check_step(scene, *options.dt, size.method);
+  evolution::AfterStep note;
+  if (MotionLog& log = session.memory<MotionLog>(); log.active())
+    note = [&](const evolution::Motion& motion, long) { log.note(scene, motion); };
+  const evolution::EvolveReport report =
+      evolution::evolve(scene, options.steps, size, session.monitor(), note);
   const bool failed = report.ending != solve::Ending::step_limit && report.ending != solve::Ending::stopped &&
                       report.ending != solve::Ending::converged;
   if (failed) fail(report);
@@ -48,6 +62,7 @@ void run(Session& session, const EvolveOptions& options) {
                  report.bound, counted(report.steps, "step"), report.substeps);
   }
   if (report.undone > 0) session.tell("taken back and made smaller: {}\n", counted(report.undone, "step"));
+  if (report.upkeeps > 0) session.tell("mesh made fit: {}\n", counted(report.upkeeps, "time"));
   session.tell("time {:.6g}: energy {:.12g}, kinetic {:.6g}, {} of {:.3g} to {:.3g}\n", scene.time,
                report.energy, report.kinetic, counted(report.substeps, "step"), report.smallest_dt,
                report.largest_dt);
@@ -63,7 +78,11 @@ extern const Command evolve_command = make_command<EvolveOptions>(
      option("dt", &EvolveOptions::dt,
             "size of a step in units of time; half the stability bound unless given")
          .above(0)
-         .or_word("auto")},
+         .or_word("auto"),
+     option("method", &EvolveOptions::method,
+            "symplectic Euler unless given; velocity Verlet; gradient flow without inertia")
+         .one_of({"euler", "verlet", "gradient"}),
+     flag("keep_mesh", &EvolveOptions::keep_mesh, "no flips and no averaging, however bad the mesh becomes")},
     run);
 
 }  // namespace lamella::session::commands

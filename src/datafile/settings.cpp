@@ -49,7 +49,15 @@ constexpr std::array<Setting, 9> setting_table = {{
      }},
 }};
 
-constexpr std::array<SettingParameter, 2> parameter_table = {{
+constexpr std::array<SettingParameter, 6> parameter_table = {{
+    {"lamella_mesh_fitness", [](const scene::Scene& s) { return s.mesh_fitness; },
+     [](scene::Scene& s, double value) { s.mesh_fitness = value; }, 0},
+    {"lamella_steps_unkept", [](const scene::Scene& s) { return s.steps_unkept; },
+     [](scene::Scene& s, double value) { s.steps_unkept = value; }, 0},
+    {"lamella_mass_of_area", [](const scene::Scene& s) { return s.mass_of_area ? 1.0 : 0.0; },
+     [](scene::Scene& s, double value) { s.mass_of_area = value != 0; }, 0},
+    {"lamella_work", [](const scene::Scene& s) { return s.work; },
+     [](scene::Scene& s, double value) { s.work = value; }, 0},
     {"lamella_keep_volumes", [](const scene::Scene& s) { return s.keep_volumes ? 1.0 : 0.0; },
      [](scene::Scene& s, double value) { s.keep_volumes = value != 0; }, 1},
     {"lamella_damping", [](const scene::Scene& s) { return s.damping; },

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "evolution/motion.h"
+#include "evolution/upkeep.h"
 #include "solve/reach_volumes.h"
 
 namespace lamella::evolution {
@@ -15,6 +17,11 @@ using solve::Ending;
 constexpr int most_halvings = 12;
 // A fixed step is made in substeps of at most this part of the bound.
 constexpr double substep_fraction = 0.8;
+// The mesh is made fit when its fitness has fallen to this part of the best, and not again within this many
+// steps.
+constexpr double choked = 0.6;
+constexpr double steps_between_upkeeps = 10;
+constexpr double forgetting = 0.9;  // of the best, where the mesh does not get as fit as it was
 
 // A target that was set at once, or a datafile whose bodies do not have their volumes yet, is met by moving
 // the film there at rest: through velocities it would be a blow.
@@ -33,14 +40,20 @@ Ending start_at_targets(scene::Scene& scene) {
 class Walk {
  public:
   Walk(scene::Scene& scene, const StepSize& size, scene::Monitor& monitor, const AfterStep& after_step)
-      : motion_(scene, size.method), size_(size), monitor_(monitor), after_step_(after_step) {}
+      : scene_(scene),
+        motion_(std::make_unique<Motion>(scene, size.method)),
+        size_(size),
+        monitor_(monitor),
+        after_step_(after_step) {}
 
   EvolveReport run(long steps);
 
  private:
   Ending advance(double dt, long steps);
+  void keep_mesh();
 
-  Motion motion_;
+  scene::Scene& scene_;
+  std::unique_ptr<Motion> motion_;
   const StepSize& size_;
   scene::Monitor& monitor_;
   const AfterStep& after_step_;
@@ -53,11 +66,12 @@ Ending Walk::advance(double dt, long steps) {
   double left = dt;
   int halvings = 0;
   while (left > 1e-12 * dt) {
-    monitor_.progress(report_.steps, steps, motion_.energy());
+    if (monitor_.watched()) motion_->store();
+    monitor_.progress(report_.steps, steps, motion_->energy());
     if (monitor_.stop_requested()) return Ending::stopped;
-    const double pieces = std::ceil(left / (fraction * motion_.bound()) * (1 - 1e-12));
+    const double pieces = std::ceil(left / (fraction * motion_->bound()) * (1 - 1e-12));
     const double piece = std::ldexp(left / std::max(1.0, pieces), -halvings);
-    const Ending ending = motion_.step(piece);
+    const Ending ending = motion_->step(piece);
     if (ending != Ending::step_limit) {
       ++report_.undone;
       if (++halvings > most_halvings) return ending;
@@ -66,27 +80,48 @@ Ending Walk::advance(double dt, long steps) {
     halvings = std::max(0, halvings - 1);
     left -= piece;
     ++report_.substeps;
+    keep_mesh();
     report_.smallest_dt = report_.smallest_dt == 0 ? piece : std::min(report_.smallest_dt, piece);
     report_.largest_dt = std::max(report_.largest_dt, piece);
   }
   ++report_.steps;
-  if (after_step_) after_step_(motion_, report_.steps);
+  if (after_step_) after_step_(*motion_, report_.steps);
   return Ending::step_limit;
+}
+
+// A mesh that chokes the steps is made fit; where that does not help it is not tried again until it is worse.
+// What is remembered belongs to the scene, so that a run in two parts is the same run.
+void Walk::keep_mesh() {
+  scene_.mesh_fitness = std::max(scene_.mesh_fitness, motion_->fitness());
+  const bool due = size_.upkeep && motion_->fitness() < choked * scene_.mesh_fitness &&
+                   scene_.steps_unkept >= steps_between_upkeeps;
+  scene_.steps_unkept += 1;
+  if (!due) return;
+  scene_.steps_unkept = 0;
+  motion_->store();
+  const scene::Scene before = scene_;
+  if (!keep_mesh_in_motion(scene_)) {
+    scene_ = before;
+    return;
+  }
+  motion_ = std::make_unique<Motion>(scene_, size_.method);
+  scene_.mesh_fitness = std::max(motion_->fitness(), forgetting * scene_.mesh_fitness);
+  ++report_.upkeeps;
 }
 
 EvolveReport Walk::run(long steps) {
   while (report_.steps < steps && report_.ending == Ending::step_limit) {
-    if (!std::isfinite(motion_.bound()) && !size_.fixed) {
+    if (!std::isfinite(motion_->bound()) && !size_.fixed) {
       report_.ending = Ending::converged;  // nothing in the scene can move
       break;
     }
-    report_.ending = advance(size_.fixed ? *size_.fixed : size_.fraction * motion_.bound(), steps);
+    report_.ending = advance(size_.fixed ? *size_.fixed : size_.fraction * motion_->bound(), steps);
   }
-  motion_.store();
-  report_.bound = motion_.bound();
-  report_.energy = motion_.energy();
-  report_.kinetic = motion_.kinetic();
-  report_.volume_error = motion_.volume_error();
+  motion_->store();
+  report_.bound = motion_->bound();
+  report_.energy = motion_->energy();
+  report_.kinetic = motion_->kinetic();
+  report_.volume_error = motion_->volume_error();
   return report_;
 }
 

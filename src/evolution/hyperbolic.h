@@ -35,6 +35,7 @@ struct StepSize {
   std::optional<double> fixed;  // in units of time; larger ones than the bound are made in substeps
   double fraction = 0.5;        // of the stability bound, where not fixed
   Method method = Method::euler;
+  bool upkeep = true;  // keep the mesh fit where it would choke the steps
 };
 
 struct EvolveReport {
@@ -42,6 +43,7 @@ struct EvolveReport {
   long steps = 0;     // as asked for
   long substeps = 0;  // as made
   long undone = 0;    // steps taken back and halved
+  long upkeeps = 0;   // times that the mesh was made fit
   double smallest_dt = 0;
   double largest_dt = 0;
   double bound = 0;   // the last stability bound

@@ -47,8 +47,9 @@ Motion::Motion(scene::Scene& scene, Method method)
 // Inverse masses and the kinetic energy that go with the masses.
 void Motion::weigh() {
   const auto fixed = scene_.film.columns(film::ElementKind::vertex).flags("fixed");
-  kinetic_ = 0;
+  kinetic_ = mass_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
+    mass_ += masses_[v];
     const bool stays = masses_[v] <= 0 || (!fixed.empty() && fixed[v] != 0);
     weights_[v] = stays ? 0 : 1 / masses_[v];
     if (stays || method_ == Method::gradient) v_[v] = {};
@@ -266,6 +267,11 @@ Ending Motion::step(double dt) {
     scene_.body(terms_.constrained()[i]).pressure = pressures_[i];
   sound_ = linearise();
   return Ending::step_limit;
+}
+
+double Motion::fitness() const {
+  const double time = method_ == Method::gradient ? std::sqrt(bound_) : bound_;
+  return mass_ > 0 ? time / std::sqrt(mass_ / static_cast<double>(terms_.triangle_count())) : 0;
 }
 
 double Motion::volume_error() const {

@@ -13,6 +13,9 @@ class Monitor {
   // `done` of `total` steps (total 0 if unknown), with a word on the state, e.g. "energy 9.13942".
   // Called every step; whoever listens throttles.
   virtual void progress(long /*done*/, long /*total*/, double /*energy*/) {}
+  // Whether someone looks at the scene between steps, so that it must be up to date when `progress` is
+  // called.
+  virtual bool watched() { return false; }
   // A line for the person at the prompt, kept in the output.
   virtual void say(std::string_view /*line*/) {}
 };

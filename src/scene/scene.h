@@ -78,6 +78,8 @@ struct Scene {
   double damping = 0;  // 1/s, for evolve
   Forces forces;
   bool mass_of_area = false;  // vertices weigh what their present area does, instead of carrying their mass
+  double mesh_fitness = 0;    // best that evolve has seen (evolution/motion.h); 0 if it has not moved
+  double steps_unkept = 0;    // of evolve since the mesh was made fit
   double work = 0;            // done on the film by forces, less what damping took, since motion began
   std::string name;           // the datafile's path, empty for none
   std::string title;          // its first comment lines, kept for saving

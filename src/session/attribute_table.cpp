@@ -69,6 +69,21 @@ void set_coordinate_on(const Source& source, const Element& v, int, double value
   set_coordinate(source, v, axis, value);
 }
 
+// What evolve keeps; a film that has never moved has no such column.
+double velocity(const Source& source, const Element& v, int axis) {
+  const film::Column* const column = source.scene.film.columns(film::ElementKind::vertex).find("velocity");
+  return column != nullptr ? column->value(v.row, axis) : 0;
+}
+
+void set_velocity(const Source& source, const Element& v, int axis, double value) {
+  if (!std::isfinite(value)) throw text::Error(fmt::format("a velocity cannot be {}", value));
+  film::Columns& columns = source.scene.film.columns(film::ElementKind::vertex);
+  film::Column* column = columns.edit("velocity");
+  if (column == nullptr)
+    column = &columns.add(film::real_column("velocity", 0, 3, film::Inheritance::New::mean));
+  column->set(v.row, axis, value);
+}
+
 // --- edges
 
 Vec3 edge_vector(const Source& source, const Element& e) {
@@ -314,6 +329,9 @@ void add_vertex_rows(std::deque<AttributeRow>& rows) {
   AttributeRow vector = computed(kind, "__x", "the three coordinates", coordinate, set_coordinate);
   vector.shape = {3};
   rows.push_back(vector);
+  AttributeRow speed = computed(kind, "velocity", "as evolve moves it", velocity, set_velocity);
+  speed.shape = {3};
+  rows.push_back(speed);
   rows.push_back(kept(kind, "fixed", "fixed", "whether it stays where it is"));
   rows.push_back(kept(kind, "bare", "bare", "whether it is meant to have no edges"));
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "energy/plateau.h"
+#include "evolution/balance.h"
 #include "session/session.h"
 #include "text/error.h"
 #include "text/suggest.h"
@@ -38,6 +39,10 @@ std::string date_and_time() {
   std::tm local = {};
   ::localtime_r(&now, &local);
   return fmt::format("{:%a %b %e %H:%M:%S %Y}", local);
+}
+
+evolution::Balance motion(const Session& session) {
+  return evolution::balance(session.scene());
 }
 
 // A counter that commands leave behind.
@@ -81,6 +86,18 @@ constexpr InternalVariable table[] = {
          throw text::Error(fmt::format("damping cannot be {:.15g}", value));
        s.scene().damping = value;
      }},
+    {"kinetic_energy", "of the moving film", [](Session& s) -> Value { return motion(s).kinetic; }, nullptr},
+    {"momentum_x", "of the moving film", [](Session& s) -> Value { return motion(s).momentum.x; }, nullptr},
+    {"momentum_y", "of the moving film", [](Session& s) -> Value { return motion(s).momentum.y; }, nullptr},
+    {"momentum_z", "of the moving film", [](Session& s) -> Value { return motion(s).momentum.z; }, nullptr},
+    {"angular_momentum_x", "of the moving film, about the origin",
+     [](Session& s) -> Value { return motion(s).angular_momentum.x; }, nullptr},
+    {"angular_momentum_y", "of the moving film, about the origin",
+     [](Session& s) -> Value { return motion(s).angular_momentum.y; }, nullptr},
+    {"angular_momentum_z", "of the moving film, about the origin",
+     [](Session& s) -> Value { return motion(s).angular_momentum.z; }, nullptr},
+    {"outer_work", "done on the moving film by force and wind, less what damping took",
+     [](Session& s) -> Value { return s.scene().work; }, nullptr},
     {"triple_angle_rms", "root mean square deviation from 120 degrees along triple lines, in degrees",
      [](Session& s) -> Value { return energy::plateau_angles(s.scene().film).triple.rms; }, nullptr},
     {"quad_angle_rms", "root mean square deviation from 109.47 degrees at quad points, in degrees",

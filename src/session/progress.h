@@ -18,6 +18,7 @@ class Progress : public scene::Monitor {
   bool stop_requested() override;
   void progress(long done, long total, double energy) override;
   void say(std::string_view line) override;
+  bool watched() override { return follower_ != nullptr; }
 
   // Called after each step; an empty function ends that.
   void follow(std::function<void()> follower) { follower_ = std::move(follower); }
