@@ -43,7 +43,7 @@ constexpr std::array<CarriedColumn, 2> carried_table = {{
     {ElementKind::vertex, "mass", 1, New::blank},
 }};
 
-constexpr std::array<AttributeWord, 26> word_table = {{
+constexpr std::array<AttributeWord, 27> word_table = {{
     {"fixed", "vef", AttributeAction::flag, "fixed"},
     {"bare", "ve", AttributeAction::flag, "bare"},
     {"no_refine", "ef", AttributeAction::flag, "no_refine"},
@@ -63,9 +63,10 @@ constexpr std::array<AttributeWord, 26> word_table = {{
     {"actual_volume", "b", AttributeAction::actual_volume, {}},
     {"lagrange_multiplier", "b", AttributeAction::multiplier, {}},
     {"centerofmass", "b", AttributeAction::nothing, {}},
-    {"constraint", "vef", AttributeAction::refused, "level-set constraints"},
-    {"constraints", "vef", AttributeAction::refused, "level-set constraints"},
-    {"boundary", "vef", AttributeAction::refused, "parametric boundaries"},
+    {"constraint", "vef", AttributeAction::constraint, {}},
+    {"constraints", "vef", AttributeAction::constraint, {}},
+    {"boundary", "vef", AttributeAction::boundary, {}},
+    {"orientation", "e", AttributeAction::orientation, {}},
     {"phase", "fb", AttributeAction::refused, "surface tensions by pairs of phases"},
     {"wrap", "e", AttributeAction::refused, "symmetry groups"},
     {"axial_point", "v", AttributeAction::refused, "symmetry groups"},

@@ -32,10 +32,7 @@ struct RefusedWord {
   std::string_view feature;
 };
 
-constexpr std::array<RefusedWord, 56> refused_words = {{
-    {"constraint", "level-set constraints"},
-    {"constraints", "level-set constraints"},
-    {"boundary", "parametric boundaries"},
+constexpr std::array<RefusedWord, 53> refused_words = {{
     {"quantity", "named quantities"},
     {"method_instance", "named quantities"},
     {"torus", "periodic films"},

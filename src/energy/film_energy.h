@@ -84,6 +84,7 @@ class FilmEnergy {
   std::vector<FieldEdge> energy_edges_;
   std::vector<FieldEdge> content_edges_;
   std::vector<GapEdge> gaps_;
+  std::vector<BoundaryGapEdge> boundary_gaps_;
   std::vector<RimEdge> rims_;
   std::vector<HeavyFacet> heavy_;
   std::vector<TenseEdge> tense_;

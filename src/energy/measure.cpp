@@ -30,16 +30,16 @@ void add_constraint_terms(const scene::Scene& scene, Measures& m) {
   scene::Scene bound = scene;
   scene::bind_formulas(bound);
   const auto at = [&](film::Vertex v) { return scene.film.position(v); };
+  const std::span<const Vec3> positions = scene.film.positions();
   const int order = scene.edge_integral_order;
-  for (const FieldEdge& edge : energy_edges(bound)) {
-    m.energy += edge.times * edge_integral(*edge.field, at(edge.from), at(edge.to), scene.time, order);
-  }
-  for (const FieldEdge& edge : content_edges(bound)) {
-    m.volumes[edge.region.index] +=
-        edge.times * edge_integral(*edge.field, at(edge.from), at(edge.to), scene.time, order);
-  }
-  for (const GapEdge& gap : gap_edges(bound)) {
-    m.energy += scene.gap_constant * gap_energy(*gap.level, at(gap.tail), at(gap.head), scene.time).value;
+  for (const FieldEdge& edge : energy_edges(bound))
+    m.energy += edge_integral(edge, positions, scene.time, order);
+  for (const FieldEdge& edge : content_edges(bound))
+    m.volumes[edge.region.index] += edge_integral(edge, positions, scene.time, order);
+  for (const GapEdge& gap : gap_edges(bound))
+    m.energy += scene.gap_constant * gap_energy(gap, at(gap.tail), at(gap.head), scene.time).value;
+  for (const BoundaryGapEdge& gap : boundary_gap_edges(bound)) {
+    m.energy += scene.gap_constant * boundary_gap_energy(bound, gap, at(gap.tail), at(gap.head)).value;
   }
 }
 

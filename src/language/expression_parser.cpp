@@ -250,8 +250,9 @@ ExpressionPointer ExpressionParser::prefix() {
 
 ExpressionPointer ExpressionParser::primary() {
   const std::string_view after = std::exchange(waiting_operator_, {});
-  // An operand is due: a command goes on on the next line.
-  while (in_command() && tokens_.peek().is(TokenKind::newline)) {
+  // An operand is due: commands and formulas go on on the next line.
+  const bool goes_on = in_command() || style_ == ExpressionStyle::formula;
+  while (goes_on && tokens_.peek().is(TokenKind::newline)) {
     tokens_.take();
   }
   const Token& token = tokens_.peek();

@@ -85,6 +85,7 @@ class ExpressionParser {
   ExpressionPointer local_or_attribute();
   std::vector<ExpressionPointer> arguments(const Token& name, std::optional<std::size_t> wanted);
   ExpressionPointer bracketed_index(text::Place& place);
+  ExpressionPointer following_number(AttributeId attribute, text::Place& place);
   ElementPath element_in_turn(const Local& local, const text::Place& place) const;
 
   std::size_t path_end(std::size_t ahead);

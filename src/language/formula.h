@@ -47,10 +47,12 @@ class Formula {
   const std::vector<std::string>& attributes() const { return attributes_; }
   bool depends_on_time() const;
   bool depends_on_variables() const;
+  // The variables of the scene that the formula reads.
+  std::span<const VariableId> variables() const;
 
   // The present values of the variables that the formula reads; needed before the first evaluation, and after
-  // a variable has changed. Undefined variables count as 0.
-  void bind(const Variables& variables);
+  // a variable has changed. Undefined variables count as 0. `gravity` is what G stands for.
+  void bind(const Variables& variables, double gravity = 0);
 
   // Not a number where the formula has no value (a square root of a negative number, a division by zero).
   double value(const FormulaInputs& inputs) const;
@@ -66,6 +68,7 @@ class Formula {
   std::shared_ptr<const Program> program_;
   std::string text_;
   std::vector<std::string> attributes_;
+  double gravity_ = 0;
   std::vector<double> variables_;  // bound values, in the program's order
 };
 

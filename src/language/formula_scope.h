@@ -1,4 +1,5 @@
-// The names that a formula may use: coordinates, the time, the scene's variables, vertex attributes.
+// The names that a formula may use: coordinates, the time, G for the constant of gravity, the scene's
+// variables, attributes.
 #pragma once
 
 #include <string>
@@ -27,7 +28,8 @@ class FormulaScope : public Scope {
   const Variables& variables_;
 };
 
-// Parses one formula from a stream of tokens and compiles it. Errors have their place.
+// Parses one formula from a stream of tokens and compiles it. Its text is made of the tokens, so macros stand
+// replaced in it. Errors have their place.
 Formula parse_formula(TokenStream& tokens, FormulaKind kind, const Variables& variables,
                       const std::vector<std::string>& attributes);
 

@@ -37,6 +37,18 @@ std::optional<language::AttributeMeaning> Names::attribute(language::ElementKind
   return attributes_.find(scene_, kind, name);
 }
 
+std::optional<int> Names::number_named(language::AttributeId attribute, std::string_view name) const {
+  const std::string key = text::lower(name);
+  const auto find = [&](const auto& declared) -> std::optional<int> {
+    for (const auto& [number, one] : declared) {
+      if (one.name == key) return number;
+    }
+    return std::nullopt;
+  };
+  const bool boundary = attributes_.row(attribute).name.find("boundary") != std::string::npos;
+  return boundary ? find(scene_.boundaries) : find(scene_.level_sets);
+}
+
 std::optional<std::size_t> Names::user_function(std::string_view name) const {
   const std::string key = text::lower(name);
   if (const auto at = promised_procedures_.find(key); at != promised_procedures_.end()) {

@@ -309,6 +309,51 @@ void Session::run_within(const text::Place& part) {
   --state_->reads;
 }
 
+namespace {
+
+// As a warning, of which a datafile's commands give many.
+text::Diagnostic left_out(const text::Error& error) {
+  text::Diagnostic diagnostic = error.diagnostics().front();
+  diagnostic.severity = text::Severity::warning;
+  diagnostic.message += "; this command is left out";
+  return diagnostic;
+}
+
+}  // namespace
+
+void Session::run_what_can_be(const text::Place& part) {
+  constexpr int most_told = 8;
+  int failures = 0;
+  const auto leave_out = [&](const text::Error& error) {
+    if (++failures <= most_told) warn(left_out(error));
+  };
+  LexerStream tokens(Lexer(part, LexerMode::command));
+  StatementParser parser(tokens, state_->names);
+  for (bool more = true; more;) {
+    const std::uint32_t begin = tokens.previous_end();
+    Batch batch;
+    try {
+      batch = parse_batch(parser, state_->names);
+    } catch (const text::Error& error) {
+      leave_out(error);
+      tokens.rewind(begin);
+      parser.skip_statement_line();
+      continue;
+    }
+    for (const Batch::Statement& statement : batch.statements) {
+      scene::Scene before = state_->scene;
+      try {
+        language::execute(*statement.block, state_->machine, state_->machine.evaluation());
+      } catch (const text::Error& error) {
+        state_->scene = std::move(before);
+        leave_out(error);
+      }
+    }
+    more = !batch.at_end;
+  }
+  if (failures > most_told) warn(fmt::format("{} more commands are left out", failures - most_told));
+}
+
 void Session::run_within(const language::Block& commands) {
   language::execute(commands, state_->machine, state_->machine.evaluation());
 }
@@ -324,8 +369,8 @@ void Session::load(const std::string& path) {
   state_->scene = std::move(result.scene);
   state_->counters.clear();
   seed_random(first_seed);
-  for (const text::Place& declaration : result.procedures) run_within(declaration);
-  for (const text::Place& commands : result.read_section) run_within(commands);
+  for (const text::Place& declaration : result.procedures) run_what_can_be(declaration);
+  for (const text::Place& commands : result.read_section) run_what_can_be(commands);
   const film::Film& film = state_->scene.film;
   tell("{}: {} vertices, {} edges, {} facets, {} bodies\n", path, film.vertex_count(), film.edge_count(),
        film.triangle_count(), scene::body_count(state_->scene));

@@ -98,6 +98,9 @@ class Session {
   // Runs statements as a part of the one that is running; what fails is thrown.
   void run_within(const text::Place& part);
   void run_within(const language::Block& commands);
+  // The same, but what cannot be parsed or fails is left out, with a warning that says so: the commands that
+  // a datafile brings must not keep it from loading.
+  void run_what_can_be(const text::Place& part);
   void read(const std::string& path);
   // Replaces the scene by a datafile's and runs the commands at its end.
   void load(const std::string& path);
