@@ -66,7 +66,8 @@ void for_each_field(const scene::Scene& scene, Edge e, bool content, Function&& 
   const auto boundary = scene.boundaries.find(scene::boundary_of(scene, ElementKind::edge, e.index));
   if (boundary == scene.boundaries.end()) return;
   const auto& field = content ? boundary->second.content : boundary->second.energy;
-  if (field) function(*field, 1.0);
+  // By the convention of datafiles, contents of boundaries count with the opposite sign.
+  if (field) function(*field, content ? -1.0 : 1.0);
 }
 
 bool any_field(const scene::Scene& scene, bool content) {

@@ -34,7 +34,7 @@ EdgeGradient edge_integral_gradient(const FieldEdge& edge, std::span<const Vec3>
 
 // The edges with constraint energies, and those with contents, a row for each region that they bound: a
 // content is added to a body behind a facet (normal outward) whose side runs along the edge, and taken from
-// the one in front. Fields point into the scene's constraints, which must live on and be bound.
+// the one in front; contents of boundaries (not of level sets) with the opposite sign. Fields point into the scene's constraints, which must live on and be bound.
 std::vector<FieldEdge> energy_edges(const scene::Scene& scene);
 std::vector<FieldEdge> content_edges(const scene::Scene& scene);
 
