@@ -7,6 +7,7 @@
 
 #include "datafile/attributes.h"
 #include "datafile/element_constraints.h"
+#include "datafile/quantities.h"
 #include "film/check.h"
 
 namespace lamella::datafile {
@@ -230,6 +231,7 @@ void Assembler::run() {
     add_columns(kind);
   add_inheriting_columns();
   add_constraints(reading_);
+  add_memberships(reading_);
   inherit_in_cuts();
   project_vertices_of_file(reading_);
   place_centres();

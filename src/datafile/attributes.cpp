@@ -17,7 +17,7 @@ constexpr double black = 0;
 constexpr double white = 15;
 
 // What splits a fixed edge is fixed, what is drawn inside a fixed facet too; so with no_refine and bare.
-constexpr std::array<KnownColumn, 18> column_table = {{
+constexpr std::array<KnownColumn, 20> column_table = {{
     {ElementKind::vertex, "fixed", Type::flag, 0, New::parent},
     {ElementKind::vertex, "bare", Type::flag, 0, New::parent},
     {ElementKind::vertex, "original", Type::integer, 0, New::blank},
@@ -26,6 +26,7 @@ constexpr std::array<KnownColumn, 18> column_table = {{
     {ElementKind::edge, "bare", Type::flag, 0, New::blank},
     {ElementKind::edge, "no_refine", Type::flag, 0, New::parent},
     {ElementKind::edge, "color", Type::integer, black, New::blank},
+    {ElementKind::edge, "orientation", Type::integer, 1, New::blank},
     {ElementKind::edge, "original", Type::integer, 0, New::blank},
     {ElementKind::facet, "tension", Type::real, 1, New::blank},
     {ElementKind::facet, "fixed", Type::flag, 0, New::blank},
@@ -34,6 +35,7 @@ constexpr std::array<KnownColumn, 18> column_table = {{
     {ElementKind::facet, "color", Type::integer, white, New::blank},
     {ElementKind::facet, "backcolor", Type::integer, white, New::blank},
     {ElementKind::facet, "opacity", Type::real, 1, New::blank},
+    {ElementKind::facet, "orientation", Type::integer, 1, New::blank},
     {ElementKind::facet, "original", Type::integer, 0, New::blank},
     {ElementKind::body, "original", Type::integer, 0, New::blank},
 }};
@@ -66,7 +68,7 @@ constexpr std::array<AttributeWord, 27> word_table = {{
     {"constraint", "vef", AttributeAction::constraint, {}},
     {"constraints", "vef", AttributeAction::constraint, {}},
     {"boundary", "vef", AttributeAction::boundary, {}},
-    {"orientation", "e", AttributeAction::orientation, {}},
+    {"orientation", "ef", AttributeAction::orientation, {}},
     {"phase", "fb", AttributeAction::refused, "surface tensions by pairs of phases"},
     {"wrap", "e", AttributeAction::refused, "symmetry groups"},
     {"axial_point", "v", AttributeAction::refused, "symmetry groups"},

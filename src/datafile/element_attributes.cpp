@@ -8,6 +8,7 @@
 
 #include "datafile/attributes.h"
 #include "datafile/constraints.h"
+#include "datafile/quantities.h"
 #include "language/functions.h"
 #include "text/suggest.h"
 
@@ -73,6 +74,8 @@ class AttributeReader {
   void pressure(const Token& word);
   void constraints(const Token& word);
   void boundary(const Token& word);
+  void quantity();
+  void turn();
   void orientation(const Token& word);
   void refuse_both(const std::optional<GivenValue>& other, const Token& word);
   void declared(film::Column& column, const Token& word);
@@ -95,6 +98,10 @@ void AttributeReader::read() {
     if (!is_any_attribute(reading_, line_.peek().text) && kind_ != ElementKind::body &&
         declared_constraint(reading_, line_.peek()) != 0) {
       constraints(line_.peek());
+      continue;
+    }
+    if (!is_any_attribute(reading_, line_.peek().text) && is_quantity_name(reading_, line_.peek().text)) {
+      quantity();
       continue;
     }
     const Token word = line_.word();
@@ -237,7 +244,8 @@ void AttributeReader::constraints(const Token& word) {
       throw text::Error(token.place, fmt::format("there is no constraint {}", token.text),
                         "constraints are declared before the lists: constraint 1, and formula: z = 0");
     }
-    held.emplace_back(row_, negative && kind_ == ElementKind::edge ? -number : number);
+    held.emplace_back(row_, number);
+    if (negative && kind_ == ElementKind::edge) turn();
   }
   if (held.size() == before) {
     throw text::Error(word.place, fmt::format("\"{}\" needs the number or name of a constraint", word.text));
@@ -260,9 +268,18 @@ void AttributeReader::boundary(const Token& word) {
   reading_.rows.boundaries[static_cast<std::size_t>(kind_)].emplace_back(row_, number);
 }
 
+void AttributeReader::quantity() {
+  const Token name = line_.word();
+  reading_.rows.memberships[static_cast<std::size_t>(kind_)].push_back({row_, text::lower(name.text)});
+}
+
+void AttributeReader::turn() {
+  set("orientation", -1);
+  if (kind_ == ElementKind::edge) reading_.rows.turned_edges.push_back(row_);
+}
+
 void AttributeReader::orientation(const Token& word) {
-  const double turn = value(word).value;
-  if (turn < 0) reading_.rows.turned_edges.push_back(row_);
+  if (value(word).value < 0) turn();
 }
 
 // --- attributes of the user

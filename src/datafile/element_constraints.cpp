@@ -1,6 +1,7 @@
 #include "datafile/element_constraints.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -42,7 +43,7 @@ void turn_edges(Reading& reading) {
   film::Column* const column = reading.scene.film.columns(ElementKind::edge).edit(scene::constraint_column);
   if (column == nullptr) return;
   for (const std::uint32_t row : reading.rows.turned_edges) {
-    for (int k = 0; k < column->width; ++k) column->set(row, k, -column->value(row, k));
+    for (int k = 0; k < column->width; ++k) column->set(row, k, -std::abs(column->value(row, k)));
   }
 }
 

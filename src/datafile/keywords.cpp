@@ -32,9 +32,7 @@ struct RefusedWord {
   std::string_view feature;
 };
 
-constexpr std::array<RefusedWord, 53> refused_words = {{
-    {"quantity", "named quantities"},
-    {"method_instance", "named quantities"},
+constexpr std::array<RefusedWord, 51> refused_words = {{
     {"torus", "periodic films"},
     {"torus_filled", "periodic films"},
     {"periods", "periodic films"},

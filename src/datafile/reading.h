@@ -28,7 +28,8 @@ struct Reading {
   // Numbers of constraints and boundaries that have names, in lower case.
   std::map<std::string, int, std::less<>> constraint_names;
   std::map<std::string, int, std::less<>> boundary_names;
-  std::set<std::string_view> refused;  // what was found that is not supported
+  std::vector<scene::MethodInstance> method_instances;  // that have names
+  std::set<std::string_view> refused;                   // what was found that is not supported
 
   // Says once for each feature that it is not supported. `word` is what stands in the file, `feature` what it
   // is about.

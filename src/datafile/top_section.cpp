@@ -9,6 +9,7 @@
 #include "datafile/cosmetics.h"
 #include "datafile/definitions.h"
 #include "datafile/keywords.h"
+#include "datafile/quantities.h"
 #include "datafile/settings.h"
 #include "text/suggest.h"
 
@@ -20,8 +21,9 @@ using language::Token;
 using language::TokenKind;
 
 bool is_declaration_word(std::string_view word) {
-  constexpr std::array<std::string_view, 7> words = {"parameter",  "define",      "function", "procedure",
-                                                     "constraint", "constraints", "boundary"};
+  constexpr std::array<std::string_view, 9> words = {"parameter", "define",     "function",
+                                                     "procedure", "constraint", "constraints",
+                                                     "boundary",  "quantity",   "method_instance"};
   return std::find(words.begin(), words.end(), text::lower(word)) != words.end();
 }
 
@@ -67,6 +69,10 @@ void read_declaration(Reading& reading) {
     read_constraint(reading, word);
   } else if (word.is_word("boundary")) {
     read_boundary(reading, word);
+  } else if (word.is_word("quantity")) {
+    read_quantity(reading, word);
+  } else if (word.is_word("method_instance")) {
+    read_method_instance(reading, word);
   } else if (const Setting* setting = find_setting(word.text)) {
     setting->read(reading, word);
   } else if (const CosmeticWord* cosmetic = cosmetic_word(word.text)) {

@@ -10,6 +10,7 @@
 #include "datafile/write_commands.h"
 #include "datafile/write_constraints.h"
 #include "datafile/write_elements.h"
+#include "datafile/write_quantities.h"
 
 namespace lamella::datafile {
 
@@ -96,6 +97,7 @@ std::string write_datafile(const scene::Scene& scene) {
   write_parameters(out, scene);
   write_declarations(out, scene);
   write_constraints(out, scene);
+  write_quantities(out, scene);
   write_cosmetics(out, scene);
   if (out.size() > top) out += '\n';
   write_elements(out, scene);

@@ -53,6 +53,12 @@ void for_each_formula(const scene::Scene& scene, Function&& function) {
     each(boundary.position);
     integrals(boundary);
   }
+  for (const scene::Quantity& quantity : scene.quantities) {
+    for (const scene::MethodInstance& instance : quantity.methods) {
+      function(instance.scalar);
+      each(instance.field);
+    }
+  }
 }
 
 }  // namespace
@@ -87,7 +93,8 @@ std::set<language::VariableId> variables_of_formulas(const scene::Scene& scene) 
 ConstraintWriter::ConstraintWriter(const scene::Scene& scene, film::ElementKind kind)
     : scene_(scene),
       constraints_(scene.film.columns(kind).find(scene::constraint_column)),
-      boundaries_(scene.film.columns(kind).find(scene::boundary_column)) {}
+      boundaries_(scene.film.columns(kind).find(scene::boundary_column)),
+      orientation_(scene.film.columns(kind).find("orientation") != nullptr) {}
 
 // An edge that one integral runs backwards along is turned for all of them.
 void ConstraintWriter::write_constraints(std::string& out, std::uint32_t row) const {
@@ -102,7 +109,7 @@ void ConstraintWriter::write_constraints(std::string& out, std::uint32_t row) co
     out += ' ';
     out += name_of(scene_.level_sets, std::abs(number));
   }
-  if (turned) out += " orientation -1";
+  if (turned && !orientation_) out += " orientation -1";
 }
 
 void ConstraintWriter::write(std::string& out, std::uint32_t row) const {

@@ -27,6 +27,7 @@ class ConstraintWriter {
   const scene::Scene& scene_;
   const film::Column* constraints_;
   const film::Column* boundaries_;
+  bool orientation_;  // is written with the other attributes
 };
 
 }  // namespace lamella::datafile

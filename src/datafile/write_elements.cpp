@@ -11,6 +11,7 @@
 
 #include "datafile/attributes.h"
 #include "datafile/write_constraints.h"
+#include "datafile/write_quantities.h"
 #include "scene/constraint_sets.h"
 #include "text/error.h"
 
@@ -175,6 +176,7 @@ void write_place(std::string& out, const scene::Scene& scene, Vertex v) {
 void write_vertices(std::string& out, const scene::Scene& scene) {
   const Film& film = scene.film;
   const ConstraintWriter constraints(scene, ElementKind::vertex);
+  const MembershipWriter memberships(scene, ElementKind::vertex);
   const AttributeWriter attributes(ElementKind::vertex, film.columns(ElementKind::vertex));
   out += "vertices\n";
   for (std::uint32_t row = 0; row < film.vertex_rows(); ++row) {
@@ -182,6 +184,7 @@ void write_vertices(std::string& out, const scene::Scene& scene) {
     if (!film.alive(v)) continue;
     write_place(out, scene, v);
     constraints.write(out, row);
+    memberships.write(out, row);
     attributes.write(out, row, film.number(v));
     out += '\n';
   }
@@ -190,6 +193,7 @@ void write_vertices(std::string& out, const scene::Scene& scene) {
 void write_edges(std::string& out, const scene::Scene& scene) {
   const Film& film = scene.film;
   const ConstraintWriter constraints(scene, ElementKind::edge);
+  const MembershipWriter memberships(scene, ElementKind::edge);
   const AttributeWriter attributes(ElementKind::edge, film.columns(ElementKind::edge));
   out += "\nedges\n";
   for (std::uint32_t row = 0; row < film.edge_rows(); ++row) {
@@ -198,6 +202,7 @@ void write_edges(std::string& out, const scene::Scene& scene) {
     fmt::format_to(std::back_inserter(out), FMT_COMPILE("{} {} {}"), film.number(e),
                    film.number(film.ends(e)[0]), film.number(film.ends(e)[1]));
     constraints.write(out, row);
+    memberships.write(out, row);
     attributes.write(out, row, film.number(e));
     out += '\n';
   }
@@ -206,6 +211,7 @@ void write_edges(std::string& out, const scene::Scene& scene) {
 void write_faces(std::string& out, const scene::Scene& scene) {
   const Film& film = scene.film;
   const ConstraintWriter constraints(scene, ElementKind::facet);
+  const MembershipWriter memberships(scene, ElementKind::facet);
   const AttributeWriter attributes(ElementKind::facet, film.columns(ElementKind::facet));
   out += "\nfaces\n";
   for (std::uint32_t row = 0; row < film.triangle_rows(); ++row) {
@@ -217,6 +223,7 @@ void write_faces(std::string& out, const scene::Scene& scene) {
       put_id(out, film.number(e.edge()));
     }
     constraints.write(out, row);
+    memberships.write(out, row);
     attributes.write(out, row, film.number(t));
     out += '\n';
   }

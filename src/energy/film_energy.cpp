@@ -78,6 +78,15 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
   if (input_.has_regions) rims_ = open_rims(scene.film);
   for (const film::Region region : pressurised_) pressures_.push_back(*scene.body(region).fixed_pressure);
   collect_tense_edges(scene);
+  for (const scene::Quantity& quantity : scene_.quantities) {
+    if (quantity.role == scene::QuantityRole::energy && quantity.modulus != 0)
+      quantities_.emplace_back(scene_, quantity, scene.film.positions());
+  }
+  if (!quantities_.empty()) quantity_gradient_.resize(vertex_count_);
+}
+
+void FilmEnergy::add_quantity_hessians(std::span<const Vec3> positions, HessianSink& sink) const {
+  for (const QuantitySum& quantity : quantities_) quantity.add_hessian(positions, scene_.time, 1, sink);
 }
 
 void FilmEnergy::set_time(double time) {
@@ -121,6 +130,7 @@ double FilmEnergy::other_terms(std::span<const Vec3> positions) {
     energy += scene_.gap_constant *
               boundary_gap_energy(scene_, gap, positions[gap.tail.index], positions[gap.head.index]).value;
   }
+  for (const QuantitySum& quantity : quantities_) energy += quantity.value(positions, scene_.time);
   for (std::size_t i = 0; i < pressurised_.size(); ++i)
     energy -= pressures_[i] * volumes_[pressurised_[i].index];
   for (const HeavyFacet& facet : heavy_) {
@@ -151,6 +161,10 @@ void FilmEnergy::add_other_gradients(std::span<const Vec3> positions) {
     lines_[gap.tail.index].gradient += scene_.gap_constant * g.from;
     lines_[gap.head.index].gradient += scene_.gap_constant * g.to;
   }
+  std::fill(quantity_gradient_.begin(), quantity_gradient_.end(), Vec3{});
+  for (const QuantitySum& quantity : quantities_)
+    quantity.add_gradient(positions, scene_.time, 1, quantity_gradient_);
+  for (std::size_t v = 0; v < quantity_gradient_.size(); ++v) lines_[v].gradient += quantity_gradient_[v];
   for (const HeavyFacet& facet : heavy_) {
     const auto& v = input_.triangles[facet.triangle];
     const auto g =

@@ -53,6 +53,8 @@ class ExpressionParser {
   Generator generator(bool attribute_follows = false);
   // The clause `where condition`, if it is there.
   void where_clause(Generator& generator);
+  // The internal value `name.part`, such as volume.target of a quantity, if one is named next; taken then.
+  std::optional<InternalId> dotted_internal(text::Place& place);
   // The attribute of an element of this kind that is named next.
   AttributeUse attribute(ElementPath of);
 

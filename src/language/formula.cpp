@@ -204,9 +204,11 @@ Scalar constant(double value) {
 }
 
 template <class Scalar>
-Scalar coordinate(double value, std::size_t axis) {
-  Scalar result = constant<Scalar>(value);
-  if constexpr (!std::is_same_v<Scalar, double>) result.gradient[axis] = 1;
+Scalar coordinate(const FormulaInputs& inputs, std::uint32_t row) {
+  Scalar result = constant<Scalar>(inputs.coordinates[row]);
+  if constexpr (!std::is_same_v<Scalar, double>) {
+    for (std::size_t k = 0; k < 3; ++k) result.gradient[k] = inputs.by[k] == static_cast<int>(row) ? 1 : 0;
+  }
   return result;
 }
 
@@ -229,7 +231,7 @@ Scalar Formula::run(const FormulaInputs& inputs) const {
         r[i] = constant<Scalar>(in.constant);
         break;
       case Kind::coordinate:
-        r[i] = coordinate<Scalar>(inputs.coordinates[in.a], in.a);
+        r[i] = coordinate<Scalar>(inputs, in.a);
         break;
       case Kind::time:
         r[i] = constant<Scalar>(inputs.time);

@@ -27,9 +27,10 @@ struct Jet {
 // What a formula may depend on besides its coordinates and the scene's variables, in the order of its local
 // slots.
 struct FormulaInputs {
-  std::span<const double> coordinates;  // three: x, y, z or p1, p2, p3
+  std::span<const double> coordinates;  // three: x, y, z or p1, p2, p3; or six, with those of a normal
   double time = 0;                      // total_time
   std::span<const double> attributes;   // values of `Formula::attributes()` at the element in question
+  std::array<int, 3> by = {0, 1, 2};    // the coordinates by which derivatives are taken
 };
 
 class Formula {

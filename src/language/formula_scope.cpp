@@ -78,7 +78,7 @@ FormulaScope::FormulaScope(FormulaKind kind, const Variables& variables,
                            const std::vector<std::string>& attributes)
     : variables_(variables) {
   // The order of the slots is what Formula expects.
-  const bool space = kind == FormulaKind::space;
+  const bool space = kind != FormulaKind::parameter;
   for (const char* name : space ? std::array{"x", "y", "z"} : std::array{"p1", "p2", "p3"})
     locals().declare(name);
   locals().declare("total_time");
@@ -86,6 +86,8 @@ FormulaScope::FormulaScope(FormulaKind kind, const Variables& variables,
   for (const std::string& name : attributes) locals().declare(name);
   if (!space) return;
   for (const char* name : {"x1", "x2", "x3"}) locals().declare(name);
+  if (kind != FormulaKind::space_and_normal) return;
+  for (const char* name : {"x4", "x5", "x6"}) locals().declare(name);
 }
 
 std::optional<VariableId> FormulaScope::variable(std::string_view name) const {

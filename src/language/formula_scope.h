@@ -12,8 +12,9 @@
 namespace lamella::language {
 
 enum class FormulaKind : std::uint8_t {
-  space,      // x, y, z, also x1, x2, x3
-  parameter,  // p1, p2, p3
+  space,             // x, y, z, also x1, x2, x3
+  parameter,         // p1, p2, p3
+  space_and_normal,  // x, y, z, and x4, x5, x6 for the components of a normal
 };
 
 // `attributes` are the names of the vertex attributes that have one number.

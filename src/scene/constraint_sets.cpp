@@ -148,6 +148,12 @@ void bind_formulas(Scene& scene) {
     bind_integrand(boundary.energy, scene);
     bind_integrand(boundary.content, scene);
   }
+  for (Quantity& quantity : scene.quantities) {
+    for (MethodInstance& instance : quantity.methods) {
+      instance.scalar.bind(scene.variables, present_gravity(scene));
+      for (language::Formula& formula : instance.field) formula.bind(scene.variables, present_gravity(scene));
+    }
+  }
 }
 
 }  // namespace lamella::scene

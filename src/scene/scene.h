@@ -14,6 +14,7 @@
 #include "language/variables.h"
 #include "scene/constraint.h"
 #include "scene/forces.h"
+#include "scene/quantity.h"
 
 namespace lamella::scene {
 
@@ -67,6 +68,7 @@ struct Scene {
   language::Procedures procedures;
   LevelSets level_sets;
   Boundaries boundaries;
+  std::vector<Quantity> quantities;
   double gap_constant = 1;              // of the gap energy at convex constraints
   int edge_integral_order = 3;          // polynomials up to this degree are integrated exactly along edges
   double constraint_tolerance = 1e-12;  // values of level sets that files and splits may leave

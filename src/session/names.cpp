@@ -5,6 +5,7 @@
 #include "language/evaluate.h"
 #include "session/argument_parser.h"
 #include "session/internal_variables.h"
+#include "session/quantity_parts.h"
 #include "text/suggest.h"
 
 namespace lamella::session {
@@ -29,6 +30,7 @@ std::optional<language::VariableId> Names::variable(std::string_view name) const
 }
 
 std::optional<language::InternalId> Names::internal(std::string_view name) const {
+  if (const auto part = find_quantity_part(scene_, name)) return part;
   return find_internal_variable(name);
 }
 

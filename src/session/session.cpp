@@ -67,6 +67,7 @@ struct Session::State {
   bool quit = false;
   long undo_request = 0;
   int reads = 0;
+  bool file_missing = false;  // the last statement failed because a file could not be read
 };
 
 Session::Session(std::span<const Command* const> commands)
@@ -321,6 +322,19 @@ text::Diagnostic left_out(const text::Error& error) {
 
 }  // namespace
 
+bool Session::run_or_restore(const language::Block& statement, std::optional<text::Error>& failure) {
+  scene::Scene before = state_->scene;
+  state_->file_missing = false;
+  try {
+    language::execute(statement, state_->machine, state_->machine.evaluation());
+    return true;
+  } catch (const text::Error& error) {
+    state_->scene = std::move(before);
+    failure = error;
+    return false;
+  }
+}
+
 void Session::run_what_can_be(const text::Place& part) {
   constexpr int most_told = 8;
   int failures = 0;
@@ -340,17 +354,18 @@ void Session::run_what_can_be(const text::Place& part) {
       parser.skip_statement_line();
       continue;
     }
-    for (const Batch::Statement& statement : batch.statements) {
-      scene::Scene before = state_->scene;
-      try {
-        language::execute(*statement.block, state_->machine, state_->machine.evaluation());
-      } catch (const text::Error& error) {
-        state_->scene = std::move(before);
-        leave_out(error);
-      }
-    }
     more = !batch.at_end;
+    std::optional<text::Error> failure;
+    for (const Batch::Statement& statement : batch.statements) {
+      if (run_or_restore(*statement.block, failure)) continue;
+      leave_out(*failure);
+      if (!state_->file_missing) continue;
+      warn("the rest of the datafile's commands is left out too: they may need what that file defines");
+      more = false;
+      break;
+    }
   }
+  state_->names.forget_promises();
   if (failures > most_told) warn(fmt::format("{} more commands are left out", failures - most_told));
 }
 
@@ -359,7 +374,9 @@ void Session::run_within(const language::Block& commands) {
 }
 
 void Session::read(const std::string& path) {
+  state_->file_missing = true;
   const text::SourcePointer source = text::make_source(path, text::read_whole_file(path));
+  state_->file_missing = false;
   run_within(whole(source));
 }
 

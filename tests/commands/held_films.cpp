@@ -30,6 +30,33 @@ TEST(HeldFilms, RefinedEnergiesAreEvolvers) {
   }
 }
 
+TEST(HeldFilms, QuantitiesAreEvolvers) {
+  Trial trial("tricky/quantities.fe");
+  const std::pair<const char*, double> values[] = {
+      {"whole.value", -0.325724999999998},
+      {"half.value", -0.162862499999999},
+      {"corners.value", 1.15},
+      {"wires.value", 1.29931239990603},
+      {"along.value", -1.86},
+      {"heavy.value", 0.159935035352419},
+      {"tense.value", 3.8982526806662},
+      {"under.value", 0.1},
+      {"dense.value", 2.21756039354834},
+      {"around.value", 3.43356885596417},
+      {"bent.value", 4.19524469601048},
+  };
+  for (const auto& [name, value] : values)
+    EXPECT_NEAR(trial.number(name), value, 1e-13 * (1 + std::abs(value))) << name;
+  EXPECT_NEAR(trial.number("total_energy"), 10.072904365437161, 1e-12);
+  trial.out("refine");
+  EXPECT_NEAR(trial.number("total_energy"), 11.06790436543716, 1e-12);
+  EXPECT_NEAR(trial.number("bent.value"), 8.21897513142554, 1e-12);
+  EXPECT_NEAR(trial.number("tense.value"), 3.8982526806662, 1e-12);
+  trial.out("corners.modulus := 0");
+  EXPECT_NEAR(trial.number("total_energy"), 11.06790436543716 - 2.145, 1e-12);
+  EXPECT_TRUE(contains(trial.failure("corners.value := 1"), "cannot be set"));
+}
+
 TEST(HeldFilms, ContentsCountInVolumes) {
   Trial trial("tricky/constraint_integrals.fe");
   EXPECT_NEAR(trial.number("body[1].volume"), 0.98144583175103195, 1e-12);
@@ -73,8 +100,8 @@ TEST(HeldFilms, BoundariesAreAttributes) {
 
 // What is saved is the same film, held the same way.
 TEST(HeldFilms, AreSavedAndLoaded) {
-  for (const char* file :
-       {"tricky/constraint_integrals.fe", "tricky/boundaries.fe", "tricky/constraints.fe"}) {
+  for (const char* file : {"tricky/constraint_integrals.fe", "tricky/boundaries.fe", "tricky/constraints.fe",
+                           "tricky/quantities.fe"}) {
     SCOPED_TRACE(file);
     const Folder folder;
     Trial trial(file);

@@ -55,7 +55,7 @@ TEST(RoundTrip, IsReadByEvolver) {
     const auto loaded = load(path);
     if (!loaded) continue;
     scene::Scene scene = loaded->scene;
-    const bool formulas = !scene.level_sets.empty() || !scene.boundaries.empty();
+    const bool formulas = !scene.level_sets.empty() || !scene.boundaries.empty() || !scene.quantities.empty();
     if (!formulas) scene.variables = {};  // Evolver has no parameters of a single letter
     const EvolverAnswer answer = ask_evolver(datafile::write_datafile(scene));
     EXPECT_TRUE(answer.loaded) << answer.output;
