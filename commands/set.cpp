@@ -11,6 +11,7 @@ struct SetOptions {
 
 bool is_flag(Session& session, const Setting& setting) {
   const AttributeRow& row = session.attributes().row(setting.attribute->attribute);
+  if (row.takes_number) return true;
   const datafile::KnownColumn* const known = datafile::known_column(film_kind(row.kind), row.column);
   return known != nullptr && known->type == datafile::KnownColumn::Type::flag;
 }

@@ -14,8 +14,10 @@ void run(Session& session, const UnsetOptions& options) {
     throw text::Error(setting.value->place, "unset takes no value", "set gives values");
   const AttributeSource source = session.attribute_source();
   for_each_element(*setting.generator, session.evaluation(), [&](const language::Element& element) {
+    const AttributeRow& row = session.attributes().row(setting.attribute->attribute);
+    const int component = row.takes_number ? evaluate_component(*setting.attribute, session.evaluation()) : 0;
     try {
-      session.attributes().unset(source, setting.attribute->attribute, element);
+      session.attributes().unset(source, setting.attribute->attribute, element, component);
     } catch (const text::Error& error) {
       throw error.placed_at(setting.place);
     }

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "datafile/element_constraints.h"
+#include "datafile/quantities.h"
 #include "film/check.h"
 
 namespace lamella::datafile {
@@ -55,6 +57,7 @@ class Assembler {
   void add_original(ElementKind kind);
   void inherit_in_cuts();
   void set_centre(const Cut& cut);
+  void place_centres();
   void number_elements();
   void number_kind(ElementKind kind, std::size_t count);
 
@@ -83,10 +86,15 @@ void Assembler::plan_cuts() {
 
 void Assembler::add_vertices() {
   for (const Vec3& position : rows_.positions) film_.add_vertex(position);
+  for (std::size_t i = 0; i < cuts_.size(); ++i) film_.add_vertex({});
+}
+
+// At the mean of the corners.
+void Assembler::place_centres() {
   for (const Cut& cut : cuts_) {
     Vec3 sum;
-    for (const SignedEdge e : loop(cut.face)) sum += rows_.positions[resolved_.tail(e).index];
-    film_.add_vertex(sum / static_cast<double>(loop(cut.face).size()));
+    for (const SignedEdge e : loop(cut.face)) sum += film_.position(resolved_.tail(e));
+    film_.move(cut.centre, sum / static_cast<double>(loop(cut.face).size()));
   }
 }
 
@@ -222,7 +230,12 @@ void Assembler::run() {
   for (const ElementKind kind : {ElementKind::vertex, ElementKind::edge, ElementKind::facet})
     add_columns(kind);
   add_inheriting_columns();
+  add_constraints(reading_);
+  add_memberships(reading_);
   inherit_in_cuts();
+  project_vertices_of_file(reading_);
+  place_centres();
+  project_centres(reading_);
   number_elements();
   film_.sort_all_sides();
   assert(film::check(film_).empty());

@@ -17,7 +17,7 @@ constexpr double black = 0;
 constexpr double white = 15;
 
 // What splits a fixed edge is fixed, what is drawn inside a fixed facet too; so with no_refine and bare.
-constexpr std::array<KnownColumn, 18> column_table = {{
+constexpr std::array<KnownColumn, 20> column_table = {{
     {ElementKind::vertex, "fixed", Type::flag, 0, New::parent},
     {ElementKind::vertex, "bare", Type::flag, 0, New::parent},
     {ElementKind::vertex, "original", Type::integer, 0, New::blank},
@@ -26,6 +26,7 @@ constexpr std::array<KnownColumn, 18> column_table = {{
     {ElementKind::edge, "bare", Type::flag, 0, New::blank},
     {ElementKind::edge, "no_refine", Type::flag, 0, New::parent},
     {ElementKind::edge, "color", Type::integer, black, New::blank},
+    {ElementKind::edge, "orientation", Type::integer, 1, New::blank},
     {ElementKind::edge, "original", Type::integer, 0, New::blank},
     {ElementKind::facet, "tension", Type::real, 1, New::blank},
     {ElementKind::facet, "fixed", Type::flag, 0, New::blank},
@@ -34,6 +35,7 @@ constexpr std::array<KnownColumn, 18> column_table = {{
     {ElementKind::facet, "color", Type::integer, white, New::blank},
     {ElementKind::facet, "backcolor", Type::integer, white, New::blank},
     {ElementKind::facet, "opacity", Type::real, 1, New::blank},
+    {ElementKind::facet, "orientation", Type::integer, 1, New::blank},
     {ElementKind::facet, "original", Type::integer, 0, New::blank},
     {ElementKind::body, "original", Type::integer, 0, New::blank},
 }};
@@ -43,7 +45,7 @@ constexpr std::array<CarriedColumn, 2> carried_table = {{
     {ElementKind::vertex, "mass", 1, New::blank},
 }};
 
-constexpr std::array<AttributeWord, 26> word_table = {{
+constexpr std::array<AttributeWord, 27> word_table = {{
     {"fixed", "vef", AttributeAction::flag, "fixed"},
     {"bare", "ve", AttributeAction::flag, "bare"},
     {"no_refine", "ef", AttributeAction::flag, "no_refine"},
@@ -63,9 +65,10 @@ constexpr std::array<AttributeWord, 26> word_table = {{
     {"actual_volume", "b", AttributeAction::actual_volume, {}},
     {"lagrange_multiplier", "b", AttributeAction::multiplier, {}},
     {"centerofmass", "b", AttributeAction::nothing, {}},
-    {"constraint", "vef", AttributeAction::refused, "level-set constraints"},
-    {"constraints", "vef", AttributeAction::refused, "level-set constraints"},
-    {"boundary", "vef", AttributeAction::refused, "parametric boundaries"},
+    {"constraint", "vef", AttributeAction::constraint, {}},
+    {"constraints", "vef", AttributeAction::constraint, {}},
+    {"boundary", "vef", AttributeAction::boundary, {}},
+    {"orientation", "ef", AttributeAction::orientation, {}},
     {"phase", "fb", AttributeAction::refused, "surface tensions by pairs of phases"},
     {"wrap", "e", AttributeAction::refused, "symmetry groups"},
     {"axial_point", "v", AttributeAction::refused, "symmetry groups"},

@@ -58,8 +58,11 @@ enum class AttributeAction : std::uint8_t {
   volume_constant,
   actual_volume,
   multiplier,
-  nothing,  // a word that a dump file writes and that says nothing
-  refused,  // known, but not supported
+  constraint,   // numbers or names of constraints follow
+  boundary,     // the number or name of a boundary follows
+  orientation,  // 1 or -1 follows
+  nothing,      // a word that a dump file writes and that says nothing
+  refused,      // known, but not supported
 };
 
 struct AttributeWord {

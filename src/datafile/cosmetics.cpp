@@ -18,7 +18,7 @@ using Shape = CosmeticShape;
 constexpr int matrix_size = 16;
 constexpr double most_transforms = 10000;
 
-constexpr std::array<CosmeticWord, 31> table = {{
+constexpr std::array<CosmeticWord, 21> table = {{
     {"soapfilm", Shape::nothing, false},
     {"linear", Shape::nothing, false},
     {"vertices_predicted", Shape::number, false},
@@ -40,17 +40,6 @@ constexpr std::array<CosmeticWord, 31> table = {{
     {"suppress_warning", Shape::number},
     {"unsuppress_warning", Shape::number},
     {"merit_factor", Shape::optional_number},
-    // The rest would say something to constraints, boundaries and integrals, had the scene any.
-    {"constraint_tolerance", Shape::number},
-    {"gap_constant", Shape::number},
-    {"spring_constant", Shape::number},
-    {"integral_order", Shape::number},
-    {"integral_order_1d", Shape::number},
-    {"integral_order_2d", Shape::number},
-    {"integration_order", Shape::number},
-    {"integration_order_1d", Shape::number},
-    {"integration_order_2d", Shape::number},
-    {"interp_bdry_param", Shape::nothing},
 }};
 
 std::string number_text(Reading& reading, std::string_view word) {

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "datafile/constraints.h"
+#include "datafile/quantities.h"
 #include "language/functions.h"
 #include "text/suggest.h"
 
@@ -70,6 +72,11 @@ class AttributeReader {
   void both_colors(const Token& word);
   void volume(const Token& word);
   void pressure(const Token& word);
+  void constraints(const Token& word);
+  void boundary(const Token& word);
+  void quantity();
+  void turn();
+  void orientation(const Token& word);
   void refuse_both(const std::optional<GivenValue>& other, const Token& word);
   void declared(film::Column& column, const Token& word);
   void braced(film::Column& column, const Token& word, std::size_t dimension, int first, int count);
@@ -86,6 +93,16 @@ void AttributeReader::read() {
       throw text::Error(line_.place(line_.here()),
                         fmt::format("expected an attribute of {} {}, found {}", element_name(kind_),
                                     reading_.rows.of(kind_).ids[row_], line_.describe_next()));
+    }
+    // The name of a constraint does without the word before it.
+    if (!is_any_attribute(reading_, line_.peek().text) && kind_ != ElementKind::body &&
+        declared_constraint(reading_, line_.peek()) != 0) {
+      constraints(line_.peek());
+      continue;
+    }
+    if (!is_any_attribute(reading_, line_.peek().text) && is_quantity_name(reading_, line_.peek().text)) {
+      quantity();
+      continue;
     }
     const Token word = line_.word();
     if (const AttributeWord* attribute = attribute_word(kind_, word.text)) {
@@ -157,6 +174,12 @@ void AttributeReader::known(const AttributeWord& attribute, const Token& word) {
     case AttributeAction::multiplier:
       body().multiplier = value(word).value;
       return;
+    case AttributeAction::constraint:
+      return constraints(word);
+    case AttributeAction::boundary:
+      return boundary(word);
+    case AttributeAction::orientation:
+      return orientation(word);
     case AttributeAction::nothing:
       while (line_.at_number()) line_.value();
       return;
@@ -181,9 +204,9 @@ void AttributeReader::both_colors(const Token& word) {
 void AttributeReader::volume(const Token& word) {
   refuse_both(body().pressure, word);
   const GivenValue given = value(word);
-  if (given.value <= 0) {
+  if (given.value < 0) {
     throw text::Error(line_.place(given.spot),
-                      fmt::format("the volume of a body must be positive, not {}", given.value));
+                      fmt::format("the volume of a body cannot be negative: {}", given.value));
   }
   body().volume = given;
 }
@@ -197,6 +220,66 @@ void AttributeReader::refuse_both(const std::optional<GivenValue>& other, const 
   if (!other) return;
   throw text::Error(word.place, "a body has either a volume or a pressure, not both",
                     "the pressure of a body of given volume is what keeps it there");
+}
+
+// --- what holds an element
+
+void AttributeReader::constraints(const Token& word) {
+  std::vector<std::pair<std::uint32_t, int>>& held =
+      reading_.rows.constraints[static_cast<std::size_t>(kind_)];
+  const std::size_t before = held.size();
+  while (!line_.at_line_end()) {
+    const bool negative = line_.accept("-");
+    const Token token = line_.peek();
+    const bool named =
+        token.is(language::TokenKind::word) && reading_.constraint_names.contains(text::lower(token.text));
+    if (!token.is(language::TokenKind::number) && !named) {
+      if (negative)
+        throw text::Error(token.place, fmt::format("expected a constraint, found {}", describe(token)));
+      break;
+    }
+    line_.word();
+    const int number = declared_constraint(reading_, token);
+    if (number == 0) {
+      throw text::Error(token.place, fmt::format("there is no constraint {}", token.text),
+                        "constraints are declared before the lists: constraint 1, and formula: z = 0");
+    }
+    held.emplace_back(row_, number);
+    if (negative && kind_ == ElementKind::edge) turn();
+  }
+  if (held.size() == before) {
+    throw text::Error(word.place, fmt::format("\"{}\" needs the number or name of a constraint", word.text));
+  }
+}
+
+void AttributeReader::boundary(const Token& word) {
+  const Token token = line_.at_line_end() ? word : line_.word();
+  const int number = declared_boundary(reading_, token);
+  if (number == 0) {
+    throw text::Error(token.place, fmt::format("there is no boundary {}", token.text),
+                      "boundaries are declared before the lists: boundary 1 parameters 1, and x1: cos(p1)");
+  }
+  const int wanted = reading_.scene.boundaries.at(number).parameters;
+  if (kind_ == ElementKind::vertex && reading_.rows.coordinates != wanted) {
+    throw text::Error(word.place,
+                      fmt::format("a vertex on boundary {} is given by {} parameter{}, not by {} numbers",
+                                  token.text, wanted, wanted == 1 ? "" : "s", reading_.rows.coordinates));
+  }
+  reading_.rows.boundaries[static_cast<std::size_t>(kind_)].emplace_back(row_, number);
+}
+
+void AttributeReader::quantity() {
+  const Token name = line_.word();
+  reading_.rows.memberships[static_cast<std::size_t>(kind_)].push_back({row_, text::lower(name.text)});
+}
+
+void AttributeReader::turn() {
+  set("orientation", -1);
+  if (kind_ == ElementKind::edge) reading_.rows.turned_edges.push_back(row_);
+}
+
+void AttributeReader::orientation(const Token& word) {
+  if (value(word).value < 0) turn();
 }
 
 // --- attributes of the user

@@ -46,6 +46,8 @@ class ListReader {
   std::optional<std::uint32_t> element_number();
   void definition();
   void coordinates();
+  [[noreturn]] void refuse_coordinates();
+  void check_coordinates();
   void ends();
   void signed_list(SignedLists& lists, std::string_view what, std::string_view wanted);
   std::uint32_t reference(std::string_view what);
@@ -58,6 +60,7 @@ class ListReader {
   std::optional<Section> section_;
   ElementKind kind_ = ElementKind::vertex;
   std::optional<std::uint32_t> row_;  // of the last element in this list
+  Spot end_of_coordinates_;           // of the last vertex
   bool at_read_ = false;
 };
 
@@ -175,6 +178,7 @@ void ListReader::element() {
   broken(kind_).push_back(1);  // until it has been read to its end
   definition();
   if (!line_.at_line_end()) read_attributes(reading_, line_, kind_, row);
+  check_coordinates();
   broken(kind_)[row] = 0;
 }
 
@@ -218,27 +222,26 @@ void ListReader::definition() {
   }
 }
 
+constexpr std::array<std::string_view, 3> few = {"no coordinates", "one coordinate", "two coordinates"};
+
+// A vertex on a boundary is given by its parameters; whether it lies on one, its attributes tell.
 void ListReader::coordinates() {
   const std::uint32_t id = rows().of(ElementKind::vertex).ids.back();
   rows().positions.emplace_back();
+  rows().coordinates = 0;
   film::Vec3 position;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!at_value(reading_, line_)) {
-      throw text::Error(line_.place(line_.here()),
-                        fmt::format("vertex {} has {} coordinate{}, and needs three", id,
-                                    axis == 0   ? "no"
-                                    : axis == 1 ? "one"
-                                                : "two",
-                                    axis == 1 ? "" : "s"));
-    }
+  while (rows().coordinates < 3 && at_value(reading_, line_)) {
     const GivenValue given = line_.value();
     if (std::abs(given.value) > largest_coordinate) {
       throw text::Error(line_.place(given.spot),
                         fmt::format("the coordinate {} is too large", text_at(line_.place(given.spot))),
                         fmt::format("coordinates go up to {}", largest_coordinate));
     }
-    position[axis] = given.value;
+    position[rows().coordinates++] = given.value;
   }
+  end_of_coordinates_ = line_.here();
+  const bool may_be_parameters = rows().coordinates > 0 && !reading_.scene.boundaries.empty();
+  if (rows().coordinates < 3 && !may_be_parameters) refuse_coordinates();
   if (line_.at_number()) {
     const text::Place place = line_.place(line_.here());
     const bool commas = text::line_of(place).find(',') != std::string_view::npos;
@@ -246,6 +249,20 @@ void ListReader::coordinates() {
                       commas ? "commas stand between numbers; decimals have a point" : "");
   }
   rows().positions.back() = position;
+}
+
+void ListReader::refuse_coordinates() {
+  throw text::Error(
+      line_.place(end_of_coordinates_),
+      fmt::format("vertex {} has {}, and needs three", rows().of(ElementKind::vertex).ids.back(),
+                  few[static_cast<std::size_t>(rows().coordinates)]));
+}
+
+// After the attributes of a vertex.
+void ListReader::check_coordinates() {
+  if (kind_ != ElementKind::vertex || rows().coordinates == 3) return;
+  const auto& boundaries = rows().boundaries[static_cast<std::size_t>(ElementKind::vertex)];
+  if (boundaries.empty() || boundaries.back().first != *row_) refuse_coordinates();
 }
 
 // The number of an element that is referred to, without a sign; 0 is refused later, where everything that is

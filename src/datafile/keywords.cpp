@@ -32,12 +32,7 @@ struct RefusedWord {
   std::string_view feature;
 };
 
-constexpr std::array<RefusedWord, 56> refused_words = {{
-    {"constraint", "level-set constraints"},
-    {"constraints", "level-set constraints"},
-    {"boundary", "parametric boundaries"},
-    {"quantity", "named quantities"},
-    {"method_instance", "named quantities"},
+constexpr std::array<RefusedWord, 51> refused_words = {{
     {"torus", "periodic films"},
     {"torus_filled", "periodic films"},
     {"periods", "periodic films"},

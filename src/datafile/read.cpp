@@ -5,6 +5,7 @@
 
 #include "datafile/assemble.h"
 #include "datafile/body_check.h"
+#include "datafile/element_constraints.h"
 #include "datafile/elements.h"
 #include "datafile/include_files.h"
 #include "datafile/oddities.h"
@@ -12,6 +13,7 @@
 #include "datafile/resolve.h"
 #include "datafile/title.h"
 #include "datafile/top_section.h"
+#include "scene/constraint_sets.h"
 
 namespace lamella::datafile {
 
@@ -54,12 +56,14 @@ bool DatafileReader::parse() {
 }
 
 void DatafileReader::check_and_assemble() {
+  place_on_boundaries(reading_);
   const Resolved resolved = resolve(reading_);
   const std::vector<film::Region> regions = number_bodies(reading_);
   const std::vector<film::RegionPair> face_regions = check_bodies(reading_, resolved, regions);
   warn_of_oddities(reading_, resolved);
   stop_if_wrong();
   assemble(reading_, resolved, regions, face_regions);
+  bind_formulas(reading_.scene);
 }
 
 void DatafileReader::stop_if_wrong() const {

@@ -25,7 +25,11 @@ struct Reading {
   bool keep_originals = false;          // elements keep their numbers
   bool keep_macros = false;             // macros stay in force in the commands after `read`
   std::map<std::string, text::Place, std::less<>> defined;  // where each variable was, by lower-case name
-  std::set<std::string_view> refused;                       // what was found that is not supported
+  // Numbers of constraints and boundaries that have names, in lower case.
+  std::map<std::string, int, std::less<>> constraint_names;
+  std::map<std::string, int, std::less<>> boundary_names;
+  std::vector<scene::MethodInstance> method_instances;  // that have names
+  std::set<std::string_view> refused;                   // what was found that is not supported
 
   // Says once for each feature that it is not supported. `word` is what stands in the file, `feature` what it
   // is about.
@@ -41,7 +45,8 @@ struct Reading {
     } catch (const language::Incomplete&) {
       throw;
     } catch (const text::Error& error) {
-      findings.take(error);
+      // What comes after a feature that is not supported may be wrong for that reason.
+      if (refused.empty()) findings.take(error);
       recover();
     }
   }

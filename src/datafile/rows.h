@@ -55,6 +55,12 @@ struct BodyRow {
   double multiplier = 0;  // of the volume constraint, as a dump file has it
 };
 
+// An element that a named quantity is taken of.
+struct Membership {
+  std::uint32_t row = 0;
+  std::string name;  // of the quantity or method, lower case
+};
+
 struct Rows {
   std::array<Numbering, 4> numbering;  // by film::ElementKind
   // Columns of the attributes that were given, long enough for the last row that has one.
@@ -64,7 +70,16 @@ struct Rows {
   // Rows with a mistake in them, of which no further ones are told.
   std::array<std::vector<std::uint8_t>, 4> broken;
 
-  std::vector<film::Vec3> positions;
+  // What holds elements: rows with numbers of constraints (negative on edges that are integrated over
+  // backwards) and of boundaries.
+  std::array<std::vector<std::pair<std::uint32_t, int>>, 4> constraints;
+  std::array<std::vector<std::pair<std::uint32_t, int>>, 4> boundaries;
+  std::array<std::vector<Membership>, 4> memberships;
+  std::vector<std::uint32_t> turned_edges;  // rows marked `orientation -1`
+
+  std::vector<film::Vec3> positions;  // of a vertex on a boundary: its parameters, until they are used
+  std::vector<std::array<double, 3>> parameters;        // of the vertices on boundaries, in their order
+  int coordinates = 0;                                  // that the last vertex was given
   std::vector<std::array<std::uint32_t, 2>> edge_ends;  // numbers of vertices
   std::vector<std::array<Spot, 2>> edge_end_spots;
   SignedLists loops;       // of the faces: signed edges

@@ -14,6 +14,8 @@ namespace {
 
 using language::Token;
 
+constexpr double most_order = 100;
+
 double number_after(Reading& reading, const Token& word) {
   return top_value(reading, fmt::format("\"{}\" needs a number", word.text));
 }
@@ -25,18 +27,52 @@ void read_scale(Reading& reading, const Token& word) {
   reading.scene.scale.fixed = true;
 }
 
+int order_after(Reading& reading, const Token& word) {
+  const text::Place place = reading.tokens.peek().place;
+  const double order = number_after(reading, word);
+  if (order >= 0 && order <= most_order) return static_cast<int>(order);
+  throw text::Error(place, fmt::format("the degree of polynomials to be integrated goes from 0 to {}, not {}",
+                                       most_order, order));
+}
+
+void read_edge_order(Reading& reading, const Token& word) {
+  reading.scene.edge_integral_order = order_after(reading, word);
+}
+
+void read_facet_order(Reading& reading, const Token& word) {
+  reading.scene.facet_integral_order = order_after(reading, word);
+}
+
+// The old word for both: so many points along an edge, and the degree over a facet.
+void read_order(Reading& reading, const Token& word) {
+  const int order = std::max(1, order_after(reading, word));
+  reading.scene.edge_integral_order = 2 * order - 1;
+  reading.scene.facet_integral_order = order;
+}
+
 // The only dimension that there is may be stated.
 void require_dimension(Reading& reading, const Token& word, double wanted, std::string_view feature) {
   if (number_after(reading, word) != wanted) reading.refuse(word.place, text::lower(word.text), feature);
 }
 
-constexpr std::array<Setting, 9> setting_table = {{
+constexpr std::array<Setting, 19> setting_table = {{
     {"gravity_constant",
      [](Reading& r, const Token& word) { r.scene.gravity.constant = number_after(r, word); }},
     {"scale", read_scale},
     {"scale_limit", [](Reading& r, const Token& word) { r.scene.scale.limit = number_after(r, word); }},
     {"total_time", [](Reading& r, const Token& word) { r.scene.time = number_after(r, word); }},
     {"symmetric_content", [](Reading& r, const Token&) { r.scene.symmetric_content = true; }},
+    {"gap_constant", [](Reading& r, const Token& word) { r.scene.gap_constant = number_after(r, word); }},
+    {"spring_constant", [](Reading& r, const Token& word) { r.scene.gap_constant = number_after(r, word); }},
+    {"integral_order", read_order},
+    {"integral_order_1d", read_edge_order},
+    {"integral_order_2d", read_facet_order},
+    {"integration_order", read_order},
+    {"integration_order_1d", read_edge_order},
+    {"integration_order_2d", read_facet_order},
+    {"constraint_tolerance",
+     [](Reading& r, const Token& word) { r.scene.constraint_tolerance = number_after(r, word); }},
+    {"interp_bdry_param", [](Reading& r, const Token&) { r.scene.interpolate_parameters = true; }},
     {"keep_originals", [](Reading& r, const Token&) { r.keep_originals = true; }},
     {"keep_macros", [](Reading& r, const Token&) { r.keep_macros = true; }},
     {"space_dimension",

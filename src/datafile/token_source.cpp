@@ -234,11 +234,13 @@ void TokenSource::expand(const std::string& name, const Token& use, std::vector<
     if (inner != macros_.end()) {
       Token nested = use;
       if (!first) nested.space_before = token.space_before;
+      if (!first) nested.separator = token.separator;
       expand(inner->first, nested, active, into);
     } else {
       into.push_back(token);
       into.back().place = use.place;
       if (first) into.back().space_before = use.space_before;
+      if (first) into.back().separator = use.separator;
     }
     first = false;
   }

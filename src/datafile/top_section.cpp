@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "datafile/constraints.h"
 #include "datafile/cosmetics.h"
 #include "datafile/definitions.h"
 #include "datafile/keywords.h"
+#include "datafile/quantities.h"
 #include "datafile/settings.h"
 #include "text/suggest.h"
 
@@ -19,7 +21,9 @@ using language::Token;
 using language::TokenKind;
 
 bool is_declaration_word(std::string_view word) {
-  constexpr std::array<std::string_view, 4> words = {"parameter", "define", "function", "procedure"};
+  constexpr std::array<std::string_view, 9> words = {"parameter", "define",     "function",
+                                                     "procedure", "constraint", "constraints",
+                                                     "boundary",  "quantity",   "method_instance"};
   return std::find(words.begin(), words.end(), text::lower(word)) != words.end();
 }
 
@@ -34,7 +38,8 @@ bool at_declaration(TokenSource& tokens) {
 }
 
 [[noreturn]] void refuse_word(const Token& word) {
-  std::vector<std::string> known{"parameter", "define", "function", "procedure", "#define", "#include"};
+  std::vector<std::string> known{"parameter", "define",   "function",   "procedure",
+                                 "#define",   "#include", "constraint", "boundary"};
   for (const Setting& setting : settings()) known.emplace_back(setting.word);
   collect_sections(known);
   collect_cosmetics(known);
@@ -60,6 +65,14 @@ void read_declaration(Reading& reading) {
     read_define(reading);
   } else if (word.is_word("function") || word.is_word("procedure")) {
     keep_procedure(reading, word);
+  } else if (word.is_word("constraint") || word.is_word("constraints")) {
+    read_constraint(reading, word);
+  } else if (word.is_word("boundary")) {
+    read_boundary(reading, word);
+  } else if (word.is_word("quantity")) {
+    read_quantity(reading, word);
+  } else if (word.is_word("method_instance")) {
+    read_method_instance(reading, word);
   } else if (const Setting* setting = find_setting(word.text)) {
     setting->read(reading, word);
   } else if (const CosmeticWord* cosmetic = cosmetic_word(word.text)) {

@@ -8,7 +8,9 @@
 #include "datafile/settings.h"
 #include "datafile/title.h"
 #include "datafile/write_commands.h"
+#include "datafile/write_constraints.h"
 #include "datafile/write_elements.h"
+#include "datafile/write_quantities.h"
 
 namespace lamella::datafile {
 
@@ -31,6 +33,14 @@ void write_settings(std::string& out, const scene::Scene& scene) {
   if (scene.scale.limit != blank.scale.limit) put(out, "scale_limit {}\n", scene.scale.limit);
   if (scene.time != blank.time) put(out, "total_time {}\n", scene.time);
   if (scene.symmetric_content) out += "symmetric_content\n";
+  if (scene.gap_constant != blank.gap_constant) put(out, "gap_constant {}\n", scene.gap_constant);
+  if (scene.edge_integral_order != blank.edge_integral_order)
+    put(out, "integral_order_1d {}\n", scene.edge_integral_order);
+  if (scene.constraint_tolerance != blank.constraint_tolerance)
+    put(out, "constraint_tolerance {}\n", scene.constraint_tolerance);
+  if (scene.facet_integral_order != blank.facet_integral_order)
+    put(out, "integral_order_2d {}\n", scene.facet_integral_order);
+  if (scene.interpolate_parameters) out += "interp_bdry_param\n";
   for (const SettingParameter& setting : setting_parameters()) {
     if (setting.get(scene) != setting.blank)
       put(out, "parameter {} = {}\n", setting.name, setting.get(scene));
@@ -38,9 +48,10 @@ void write_settings(std::string& out, const scene::Scene& scene) {
 }
 
 void write_parameters(std::string& out, const scene::Scene& scene) {
+  const std::set<language::VariableId> read = variables_of_formulas(scene);
   scene.variables.for_each([&](language::VariableId id, const language::Variable& variable) {
     const std::string value = written_value(variable.value);
-    if (variable.parameter && !value.empty())
+    if ((variable.parameter || read.contains(id)) && !value.empty())
       put(out, "parameter {} = {}\n", scene.variables.name(id), value);
   });
 }
@@ -85,6 +96,8 @@ std::string write_datafile(const scene::Scene& scene) {
   write_settings(out, scene);
   write_parameters(out, scene);
   write_declarations(out, scene);
+  write_constraints(out, scene);
+  write_quantities(out, scene);
   write_cosmetics(out, scene);
   if (out.size() > top) out += '\n';
   write_elements(out, scene);

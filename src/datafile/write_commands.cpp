@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "datafile/write_constraints.h"
+
 namespace lamella::datafile {
 
 namespace {
@@ -43,8 +45,9 @@ std::string heading(const language::Procedure& procedure) {
 }
 
 void write_variables(std::string& out, const scene::Scene& scene) {
+  const std::set<language::VariableId> read = variables_of_formulas(scene);
   scene.variables.for_each([&](language::VariableId id, const language::Variable& variable) {
-    if (variable.parameter) return;
+    if (variable.parameter || read.contains(id)) return;
     const std::string value = written_value(variable.value);
     const std::string& name = scene.variables.name(id);
     out += value.empty() ? fmt::format("// {} was not a finite number\n", name)

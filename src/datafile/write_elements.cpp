@@ -10,6 +10,9 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "datafile/write_constraints.h"
+#include "datafile/write_quantities.h"
+#include "scene/constraint_sets.h"
 #include "text/error.h"
 
 namespace lamella::datafile {
@@ -148,23 +151,49 @@ void AttributeWriter::write(std::string& out, std::uint32_t row, std::uint32_t n
 
 // --- lists
 
-void write_vertices(std::string& out, const Film& film) {
-  const AttributeWriter attributes(ElementKind::vertex, film.columns(ElementKind::vertex));
-  out += "vertices\n";
-  for (std::uint32_t row = 0; row < film.vertex_rows(); ++row) {
-    const Vertex v(row);
-    if (!film.alive(v)) continue;
+// The coordinates of a vertex, or its parameters on its boundary.
+void write_place(std::string& out, const scene::Scene& scene, Vertex v) {
+  const Film& film = scene.film;
+  const auto boundary = scene.boundaries.find(scene::boundary_of(scene, ElementKind::vertex, v.index));
+  if (boundary == scene.boundaries.end()) {
     const film::Vec3& position = film.position(v);
     if (!is_finite(position))
       throw text::Error(fmt::format("cannot save: vertex {} is nowhere", film.number(v)));
     fmt::format_to(std::back_inserter(out), FMT_COMPILE("{} {} {} {}"), film.number(v), position.x,
                    position.y, position.z);
+    return;
+  }
+  const std::array<double, 3> parameters = scene::boundary_parameters(scene, v);
+  put_id(out, film.number(v));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(boundary->second.parameters); ++k) {
+    if (!std::isfinite(parameters[k]))
+      throw text::Error(fmt::format("cannot save: vertex {} is nowhere", film.number(v)));
+    out += ' ';
+    put_number(out, parameters[k]);
+  }
+}
+
+void write_vertices(std::string& out, const scene::Scene& scene) {
+  const Film& film = scene.film;
+  const ConstraintWriter constraints(scene, ElementKind::vertex);
+  const MembershipWriter memberships(scene, ElementKind::vertex);
+  const AttributeWriter attributes(ElementKind::vertex, film.columns(ElementKind::vertex));
+  out += "vertices\n";
+  for (std::uint32_t row = 0; row < film.vertex_rows(); ++row) {
+    const Vertex v(row);
+    if (!film.alive(v)) continue;
+    write_place(out, scene, v);
+    constraints.write(out, row);
+    memberships.write(out, row);
     attributes.write(out, row, film.number(v));
     out += '\n';
   }
 }
 
-void write_edges(std::string& out, const Film& film) {
+void write_edges(std::string& out, const scene::Scene& scene) {
+  const Film& film = scene.film;
+  const ConstraintWriter constraints(scene, ElementKind::edge);
+  const MembershipWriter memberships(scene, ElementKind::edge);
   const AttributeWriter attributes(ElementKind::edge, film.columns(ElementKind::edge));
   out += "\nedges\n";
   for (std::uint32_t row = 0; row < film.edge_rows(); ++row) {
@@ -172,12 +201,17 @@ void write_edges(std::string& out, const Film& film) {
     if (!film.alive(e)) continue;
     fmt::format_to(std::back_inserter(out), FMT_COMPILE("{} {} {}"), film.number(e),
                    film.number(film.ends(e)[0]), film.number(film.ends(e)[1]));
+    constraints.write(out, row);
+    memberships.write(out, row);
     attributes.write(out, row, film.number(e));
     out += '\n';
   }
 }
 
-void write_faces(std::string& out, const Film& film) {
+void write_faces(std::string& out, const scene::Scene& scene) {
+  const Film& film = scene.film;
+  const ConstraintWriter constraints(scene, ElementKind::facet);
+  const MembershipWriter memberships(scene, ElementKind::facet);
   const AttributeWriter attributes(ElementKind::facet, film.columns(ElementKind::facet));
   out += "\nfaces\n";
   for (std::uint32_t row = 0; row < film.triangle_rows(); ++row) {
@@ -188,6 +222,8 @@ void write_faces(std::string& out, const Film& film) {
       out += e.reversed() ? " -" : " ";
       put_id(out, film.number(e.edge()));
     }
+    constraints.write(out, row);
+    memberships.write(out, row);
     attributes.write(out, row, film.number(t));
     out += '\n';
   }
@@ -298,9 +334,9 @@ void write_elements(std::string& out, const scene::Scene& scene) {
   const std::size_t rows =
       std::size_t{scene.film.vertex_rows()} + scene.film.edge_rows() + scene.film.triangle_rows();
   out.reserve(out.size() + row_length * rows);
-  write_vertices(out, scene.film);
-  write_edges(out, scene.film);
-  write_faces(out, scene.film);
+  write_vertices(out, scene);
+  write_edges(out, scene);
+  write_faces(out, scene);
   write_bodies(out, scene);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "scene/constraint_sets.h"
+#include "scene/projection.h"
 
 namespace lamella::energy {
 
@@ -65,7 +66,8 @@ void for_each_field(const scene::Scene& scene, Edge e, bool content, Function&& 
   const auto boundary = scene.boundaries.find(scene::boundary_of(scene, ElementKind::edge, e.index));
   if (boundary == scene.boundaries.end()) return;
   const auto& field = content ? boundary->second.content : boundary->second.energy;
-  if (field) function(*field, 1.0);
+  // By the convention of datafiles, contents of boundaries count with the opposite sign.
+  if (field) function(*field, content ? -1.0 : 1.0);
 }
 
 bool any_field(const scene::Scene& scene, bool content) {
@@ -80,38 +82,65 @@ bool any_field(const scene::Scene& scene, bool content) {
 
 }  // namespace
 
-double edge_integral(const EdgeIntegrand& field, const Vec3& from, const Vec3& to, double time, int order) {
-  const Vec3 d = to - from;
+namespace {
+
+// Calls function(axis, formula, attributes) for the components of a field that are there.
+template <class Function>
+void for_each_component(const FieldEdge& edge, Function&& function) {
+  std::span<const double> left = edge.attributes;
+  for (int axis = 0; axis < 3; ++axis) {
+    const language::Formula& formula = (*edge.field)[static_cast<std::size_t>(axis)];
+    if (!formula) continue;
+    const std::size_t read = formula.attributes().size();
+    function(axis, formula, left.first(read));
+    left = left.subspan(read);
+  }
+}
+
+FieldEdge field_edge(const scene::Scene& scene, const EdgeIntegrand& field, Edge e, double times,
+                     film::Region region) {
+  FieldEdge edge{&field, scene.film.ends(e)[0], scene.film.ends(e)[1], times, region};
+  for (const language::Formula& formula : field) {
+    const std::vector<double> values = scene::attributes_of(scene.film, formula, ElementKind::edge, e.index);
+    edge.attributes.insert(edge.attributes.end(), values.begin(), values.end());
+  }
+  return edge;
+}
+
+}  // namespace
+
+double edge_integral(const FieldEdge& edge, std::span<const Vec3> positions, double time, int order) {
+  const Vec3& from = positions[edge.from.index];
+  const Vec3 d = positions[edge.to.index] - from;
   double sum = 0;
   for (const GaussPoint& point : rule(order)) {
     const Vec3 p = from + point.at * d;
     const std::array<double, 3> at{p.x, p.y, p.z};
-    for (int i = 0; i < 3; ++i) {
-      const language::Formula& f = field[static_cast<std::size_t>(i)];
-      if (f) sum += point.weight * d[i] * f.value({at, time, {}});
-    }
+    for_each_component(edge, [&](int axis, const language::Formula& f, std::span<const double> attributes) {
+      sum += point.weight * d[axis] * f.value({at, time, attributes});
+    });
   }
-  return sum;
+  return edge.times * sum;
 }
 
-EdgeGradient edge_integral_gradient(const EdgeIntegrand& field, const Vec3& from, const Vec3& to, double time,
+EdgeGradient edge_integral_gradient(const FieldEdge& edge, std::span<const Vec3> positions, double time,
                                     int order) {
-  const Vec3 d = to - from;
+  const Vec3& from = positions[edge.from.index];
+  const Vec3 d = positions[edge.to.index] - from;
   EdgeGradient result;
   for (const GaussPoint& point : rule(order)) {
     const Vec3 p = from + point.at * d;
     const std::array<double, 3> at{p.x, p.y, p.z};
-    for (int i = 0; i < 3; ++i) {
-      const language::Formula& f = field[static_cast<std::size_t>(i)];
-      if (!f) continue;
-      const language::Jet jet = f.gradient({at, time, {}});
-      result.value += point.weight * d[i] * jet.value;
-      const Vec3 slope = (point.weight * d[i]) * Vec3{jet.gradient[0], jet.gradient[1], jet.gradient[2]};
+    const double weight = edge.times * point.weight;
+    for_each_component(edge, [&](int axis, const language::Formula& f, std::span<const double> attributes) {
+      const language::Jet jet = f.gradient({at, time, attributes});
+      result.value += weight * d[axis] * jet.value;
+      const Vec3 slope = (weight * d[axis]) * Vec3{jet.gradient[0], jet.gradient[1], jet.gradient[2]};
       result.from += (1 - point.at) * slope;
       result.to += point.at * slope;
-      result.from[i] -= point.weight * jet.value;
-      result.to[i] += point.weight * jet.value;
-    }
+      result.from[axis] -= weight * jet.value;
+      result.to[axis] += weight * jet.value;
+    });
   }
   return result;
 }
@@ -123,7 +152,7 @@ std::vector<FieldEdge> energy_edges(const scene::Scene& scene) {
     const Edge e(i);
     if (!scene.film.alive(e)) continue;
     for_each_field(scene, e, false, [&](const EdgeIntegrand& field, double times) {
-      edges.push_back({&field, scene.film.ends(e)[0], scene.film.ends(e)[1], times, {}});
+      edges.push_back(field_edge(scene, field, e, times, {}));
     });
   }
   return edges;
@@ -137,8 +166,7 @@ std::vector<FieldEdge> content_edges(const scene::Scene& scene) {
     if (!scene.film.alive(e)) continue;
     for_each_field(scene, e, true, [&](const EdgeIntegrand& field, double times) {
       const auto add = [&](film::Region region, double sign) {
-        if (!region.outside())
-          edges.push_back({&field, scene.film.ends(e)[0], scene.film.ends(e)[1], sign, region});
+        if (!region.outside()) edges.push_back(field_edge(scene, field, e, sign, region));
       };
       scene.film.for_each_side(e, [&](film::Side s) {
         const double along = scene.film.edge_of(s).reversed() ? -times : times;

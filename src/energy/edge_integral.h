@@ -9,18 +9,11 @@ namespace lamella::energy {
 
 using film::Vec3;
 
-// The integral of a field along the segment from `from` to `to`, by Gauss's rule with as many points as
-// integrate polynomials of degree `order` exactly.
-double edge_integral(const scene::EdgeIntegrand& field, const Vec3& from, const Vec3& to, double time,
-                     int order);
-
 struct EdgeGradient {
   double value = 0;
   Vec3 from;
   Vec3 to;
 };
-EdgeGradient edge_integral_gradient(const scene::EdgeIntegrand& field, const Vec3& from, const Vec3& to,
-                                    double time, int order);
 
 // An edge that a field is integrated along, so many times (negative: against its direction).
 struct FieldEdge {
@@ -29,11 +22,19 @@ struct FieldEdge {
   film::Vertex to;
   double times = 1;
   film::Region region;  // of a content: the region whose volume gets it
+  // The edge's attributes that the field's components read, one component after the other.
+  std::vector<double> attributes = {};
 };
+
+// So many times the integral of a field along the straight edge, by Gauss's rule with as many points as
+// integrate polynomials of degree `order` exactly.
+double edge_integral(const FieldEdge& edge, std::span<const Vec3> positions, double time, int order);
+EdgeGradient edge_integral_gradient(const FieldEdge& edge, std::span<const Vec3> positions, double time,
+                                    int order);
 
 // The edges with constraint energies, and those with contents, a row for each region that they bound: a
 // content is added to a body behind a facet (normal outward) whose side runs along the edge, and taken from
-// the one in front. Fields point into the scene's constraints, which must live on and be bound.
+// the one in front; contents of boundaries (not of level sets) with the opposite sign. Fields point into the scene's constraints, which must live on and be bound.
 std::vector<FieldEdge> energy_edges(const scene::Scene& scene);
 std::vector<FieldEdge> content_edges(const scene::Scene& scene);
 

@@ -58,6 +58,7 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
       energy_edges_(energy::energy_edges(scene_)),
       content_edges_(energy::content_edges(scene_)),
       gaps_(gap_edges(scene_)),
+      boundary_gaps_(boundary_gap_edges(scene_)),
       heavy_(heavy_facets(scene)),
       volumes_(scene.bodies.size() + 1),
       lines_(vertex_count_),
@@ -77,6 +78,15 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
   if (input_.has_regions) rims_ = open_rims(scene.film);
   for (const film::Region region : pressurised_) pressures_.push_back(*scene.body(region).fixed_pressure);
   collect_tense_edges(scene);
+  for (const scene::Quantity& quantity : scene_.quantities) {
+    if (quantity.role == scene::QuantityRole::energy && quantity.modulus != 0)
+      quantities_.emplace_back(scene_, quantity, scene.film.positions());
+  }
+  if (!quantities_.empty()) quantity_gradient_.resize(vertex_count_);
+}
+
+void FilmEnergy::add_quantity_hessians(std::span<const Vec3> positions, HessianSink& sink) const {
+  for (const QuantitySum& quantity : quantities_) quantity.add_hessian(positions, scene_.time, 1, sink);
 }
 
 void FilmEnergy::set_time(double time) {
@@ -108,19 +118,19 @@ double FilmEnergy::other_terms(std::span<const Vec3> positions) {
   add_rim_volumes(rims_, positions, input_.origin, open_volume_, volumes_);
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) volumes_[b + 1] += scene_.bodies[b].volume_offset;
   const int order = scene_.edge_integral_order;
-  for (const FieldEdge& edge : content_edges_) {
-    volumes_[edge.region.index] += edge.times * edge_integral(*edge.field, positions[edge.from.index],
-                                                              positions[edge.to.index], scene_.time, order);
-  }
+  for (const FieldEdge& edge : content_edges_)
+    volumes_[edge.region.index] += edge_integral(edge, positions, scene_.time, order);
   double energy = 0;
-  for (const FieldEdge& edge : energy_edges_) {
-    energy += edge.times * edge_integral(*edge.field, positions[edge.from.index], positions[edge.to.index],
-                                         scene_.time, order);
-  }
+  for (const FieldEdge& edge : energy_edges_) energy += edge_integral(edge, positions, scene_.time, order);
   for (const GapEdge& gap : gaps_) {
     energy += scene_.gap_constant *
-              gap_energy(*gap.level, positions[gap.tail.index], positions[gap.head.index], scene_.time).value;
+              gap_energy(gap, positions[gap.tail.index], positions[gap.head.index], scene_.time).value;
   }
+  for (const BoundaryGapEdge& gap : boundary_gaps_) {
+    energy += scene_.gap_constant *
+              boundary_gap_energy(scene_, gap, positions[gap.tail.index], positions[gap.head.index]).value;
+  }
+  for (const QuantitySum& quantity : quantities_) energy += quantity.value(positions, scene_.time);
   for (std::size_t i = 0; i < pressurised_.size(); ++i)
     energy -= pressures_[i] * volumes_[pressurised_[i].index];
   for (const HeavyFacet& facet : heavy_) {
@@ -136,18 +146,25 @@ double FilmEnergy::other_terms(std::span<const Vec3> positions) {
 
 void FilmEnergy::add_other_gradients(std::span<const Vec3> positions) {
   for (const FieldEdge& edge : energy_edges_) {
-    const EdgeGradient g =
-        edge_integral_gradient(*edge.field, positions[edge.from.index], positions[edge.to.index], scene_.time,
-                               scene_.edge_integral_order);
-    lines_[edge.from.index].gradient += edge.times * g.from;
-    lines_[edge.to.index].gradient += edge.times * g.to;
+    const EdgeGradient g = edge_integral_gradient(edge, positions, scene_.time, scene_.edge_integral_order);
+    lines_[edge.from.index].gradient += g.from;
+    lines_[edge.to.index].gradient += g.to;
   }
   for (const GapEdge& gap : gaps_) {
-    const EdgeGradient g =
-        gap_energy(*gap.level, positions[gap.tail.index], positions[gap.head.index], scene_.time);
+    const EdgeGradient g = gap_energy(gap, positions[gap.tail.index], positions[gap.head.index], scene_.time);
     lines_[gap.tail.index].gradient += scene_.gap_constant * g.from;
     lines_[gap.head.index].gradient += scene_.gap_constant * g.to;
   }
+  for (const BoundaryGapEdge& gap : boundary_gaps_) {
+    const EdgeGradient g =
+        boundary_gap_energy(scene_, gap, positions[gap.tail.index], positions[gap.head.index]);
+    lines_[gap.tail.index].gradient += scene_.gap_constant * g.from;
+    lines_[gap.head.index].gradient += scene_.gap_constant * g.to;
+  }
+  std::fill(quantity_gradient_.begin(), quantity_gradient_.end(), Vec3{});
+  for (const QuantitySum& quantity : quantities_)
+    quantity.add_gradient(positions, scene_.time, 1, quantity_gradient_);
+  for (std::size_t v = 0; v < quantity_gradient_.size(); ++v) lines_[v].gradient += quantity_gradient_[v];
   for (const HeavyFacet& facet : heavy_) {
     const auto& v = input_.triangles[facet.triangle];
     const auto g =

@@ -2,7 +2,7 @@
 //
 //   sum over facets of tension * area  +  sum over edges of tension * length
 //   + sum over bodies of density * G * (integral of z over the body)  -  sum over bodies of pressure * volume
-//   + sum over edges on constraints of their energies' integrals and gaps
+//   + sum over edges on constraints of their energies' integrals and gaps  +  sum of named quantities
 //
 // where pressure * volume runs over bodies of prescribed pressure. Only what the scene has is summed.
 #pragma once
@@ -14,6 +14,7 @@
 #include "energy/gap.h"
 #include "energy/gravity.h"
 #include "energy/open_rim.h"
+#include "energy/quantity_sums.h"
 #include "energy/sweep.h"
 #include "energy/volume_gradient.h"
 #include "scene/scene.h"
@@ -66,6 +67,8 @@ class FilmEnergy {
   std::span<const HeavyFacet> heavy() const { return heavy_; }
   std::span<const TenseEdge> tense_edges() const { return tense_; }
   std::span<const RimEdge> rims() const { return rims_; }
+  // The second derivatives of the named quantities at given positions.
+  void add_quantity_hessians(std::span<const Vec3> positions, HessianSink& sink) const;
   OpenVolume open_volume() const { return open_volume_; }
   std::span<const film::Region> pressurised() const { return pressurised_; }
   std::span<const double> prescribed_pressures() const { return pressures_; }  // of `pressurised`
@@ -84,6 +87,9 @@ class FilmEnergy {
   std::vector<FieldEdge> energy_edges_;
   std::vector<FieldEdge> content_edges_;
   std::vector<GapEdge> gaps_;
+  std::vector<BoundaryGapEdge> boundary_gaps_;
+  std::vector<QuantitySum> quantities_;
+  std::vector<Vec3> quantity_gradient_;
   std::vector<RimEdge> rims_;
   std::vector<HeavyFacet> heavy_;
   std::vector<TenseEdge> tense_;

@@ -10,17 +10,35 @@ namespace lamella::energy {
 
 // A film that ends on a curved wall gets the gaps between the wall and its straight edges for nothing, and
 // would widen them by crowding its vertices elsewhere. An edge on a convex constraint therefore has the
-// energy k |S x Q| / 6, S being the edge and Q its projection on the tangent plane at its tail: near the
-// gap's area for k = 1.
+// energy k |S| (|S.n| + |S.m|)/12, S being the edge, n and m the unit normals of the constraint at its ends:
+// near the gap's area for k = 1. Fixed edges have none.
 struct GapEdge {
   const language::Formula* level = nullptr;
   film::Vertex tail;
   film::Vertex head;
+  std::vector<double> tail_attributes = {};  // that the formula reads
+  std::vector<double> head_attributes = {};
 };
 
 std::vector<GapEdge> gap_edges(const scene::Scene& scene);
 
+// An edge on a convex boundary of one parameter has the energy k |S|^2 (tan a + tan b)/12, a and b being its
+// angles with the curve at its ends: near the area between the two, too.
+struct BoundaryGapEdge {
+  const scene::Boundary* boundary = nullptr;
+  film::Vertex tail;
+  film::Vertex head;
+  double tail_parameter = 0;  // where the search for those at other positions begins
+  double head_parameter = 0;
+};
+
+std::vector<BoundaryGapEdge> boundary_gap_edges(const scene::Scene& scene);
+
+// For k = 1, with the gradient by both ends, as far as it lies along the boundary.
+EdgeGradient boundary_gap_energy(const scene::Scene& scene, const BoundaryGapEdge& edge, const Vec3& tail,
+                                 const Vec3& head);
+
 // For k = 1, with the gradient by both ends.
-EdgeGradient gap_energy(const language::Formula& level, const Vec3& tail, const Vec3& head, double time);
+EdgeGradient gap_energy(const GapEdge& edge, const Vec3& tail, const Vec3& head, double time);
 
 }  // namespace lamella::energy

@@ -6,6 +6,7 @@
 #include "energy/film_energy.h"
 #include "energy/gap.h"
 #include "energy/gravity.h"
+#include "energy/quantity_sums.h"
 #include "scene/constraint_sets.h"
 
 namespace lamella::energy {
@@ -26,21 +27,46 @@ double total_length(const film::Film& film, std::span<const double> tension, dou
   return sum;
 }
 
-void add_constraint_terms(const scene::Scene& scene, Measures& m) {
+void add_formula_terms(const scene::Scene& scene, Measures& m) {
   scene::Scene bound = scene;
   scene::bind_formulas(bound);
   const auto at = [&](film::Vertex v) { return scene.film.position(v); };
+  const std::span<const Vec3> positions = scene.film.positions();
   const int order = scene.edge_integral_order;
-  for (const FieldEdge& edge : energy_edges(bound)) {
-    m.energy += edge.times * edge_integral(*edge.field, at(edge.from), at(edge.to), scene.time, order);
+  for (const FieldEdge& edge : energy_edges(bound))
+    m.energy += edge_integral(edge, positions, scene.time, order);
+  for (const FieldEdge& edge : content_edges(bound))
+    m.volumes[edge.region.index] += edge_integral(edge, positions, scene.time, order);
+  for (const GapEdge& gap : gap_edges(bound))
+    m.energy += scene.gap_constant * gap_energy(gap, at(gap.tail), at(gap.head), scene.time).value;
+  for (const BoundaryGapEdge& gap : boundary_gap_edges(bound)) {
+    m.energy += scene.gap_constant * boundary_gap_energy(bound, gap, at(gap.tail), at(gap.head)).value;
   }
-  for (const FieldEdge& edge : content_edges(bound)) {
-    m.volumes[edge.region.index] +=
-        edge.times * edge_integral(*edge.field, at(edge.from), at(edge.to), scene.time, order);
+  for (const scene::Quantity& quantity : bound.quantities) {
+    if (quantity.role == scene::QuantityRole::energy && quantity.modulus != 0)
+      m.energy += QuantitySum(bound, quantity, positions).value(positions, scene.time);
   }
-  for (const GapEdge& gap : gap_edges(bound)) {
-    m.energy += scene.gap_constant * gap_energy(*gap.level, at(gap.tail), at(gap.head), scene.time).value;
+}
+
+bool has_formulas(const scene::Scene& scene) {
+  return !scene.level_sets.empty() || !scene.boundaries.empty() || !scene.quantities.empty();
+}
+
+// A number that changes when a column of the film may have.
+std::uint64_t columns_revision(const film::Film& film) {
+  std::uint64_t sum = 0;
+  for (const ElementKind kind : {ElementKind::vertex, ElementKind::edge, ElementKind::facet}) {
+    film.columns(kind).for_each(
+        [&](const film::Column& column) { sum = 31 * sum + film.columns(kind).revision(column.name); });
   }
+  return sum;
+}
+
+// The moduli of quantities, by which alone they change while the film stays.
+double sum_of_moduli(const scene::Scene& scene) {
+  double sum = 0;
+  for (const scene::Quantity& quantity : scene.quantities) sum = 3 * sum + quantity.modulus;
+  return sum;
 }
 
 }  // namespace
@@ -62,7 +88,7 @@ Measures measure(const scene::Scene& scene) {
   m.area = sums.area;
   m.energy = sums.energy;
   m.length = total_length(film, film.columns(ElementKind::edge).reals("tension"), m.energy);
-  if (!scene.level_sets.empty() || !scene.boundaries.empty()) add_constraint_terms(scene, m);
+  if (has_formulas(scene)) add_formula_terms(scene, m);
   if (scene.bodies.empty()) return m;
 
   const OpenVolume convention =
@@ -78,7 +104,7 @@ Measures measure(const scene::Scene& scene) {
 }
 
 MeasureCache::Key MeasureCache::key_of(const scene::Scene& scene) {
-  const bool formulas = !scene.level_sets.empty() || !scene.boundaries.empty();
+  const bool formulas = has_formulas(scene);
   return {scene.film.connectivity_revision(),
           scene.film.position_revision(),
           scene.film.columns(ElementKind::facet).revision("tension"),
@@ -87,7 +113,9 @@ MeasureCache::Key MeasureCache::key_of(const scene::Scene& scene) {
           scene.gravity.on,
           scene.gravity.constant,
           formulas ? scene.variables.revision() : 0,
-          formulas ? scene.time : 0};
+          formulas ? scene.time : 0,
+          formulas ? columns_revision(scene.film) : 0,
+          sum_of_moduli(scene)};
 }
 
 bool MeasureCache::holds(const scene::Scene& scene) const {

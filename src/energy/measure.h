@@ -33,9 +33,11 @@ class MeasureCache {
     bool symmetric_content = false;
     bool gravity_on = false;
     double gravity = 0;
-    // What formulas of constraints depend on; counted only where there are constraints.
+    // What formulas of constraints and quantities depend on; counted only where there are some.
     std::uint64_t variables = 0;
     double time = 0;
+    std::uint64_t columns = 0;
+    double moduli = 0;
     friend bool operator==(const Key&, const Key&) = default;
   };
   // What of a body enters the energy and volumes.

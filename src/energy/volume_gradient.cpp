@@ -175,11 +175,9 @@ void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine>
     slots_[rim.to].gradient += rim.edge.times * g.to;
   }
   for (const Content& content : contents_) {
-    const EdgeGradient g =
-        edge_integral_gradient(*content.edge.field, input.positions[content.edge.from.index],
-                               input.positions[content.edge.to.index], time, order_);
-    slots_[content.from].gradient += content.edge.times * g.from;
-    slots_[content.to].gradient += content.edge.times * g.to;
+    const EdgeGradient g = edge_integral_gradient(content.edge, input.positions, time, order_);
+    slots_[content.from].gradient += g.from;
+    slots_[content.to].gradient += g.to;
   }
   for (Slot& slot : slots_) slot.unrestricted = slot.gradient;
 }

@@ -134,6 +134,25 @@ std::size_t ExpressionParser::path_end(std::size_t ahead) {
   return at;
 }
 
+ExpressionPointer ExpressionParser::following_number(AttributeId attribute, text::Place& place) {
+  const Token& token = tokens_.peek();
+  if (token.is_symbol("[")) return bracketed_index(place);
+  const std::optional<int> named =
+      token.is(TokenKind::word) ? scope_.number_named(attribute, token.text) : std::nullopt;
+  ExpressionPointer number;
+  if (named) {
+    const Token name = tokens_.take();
+    auto made = std::make_unique<Expression>();
+    made->place = name.place;
+    made->node = Number{static_cast<double>(*named)};
+    number = std::move(made);
+  } else {
+    number = primary();
+  }
+  place = join(place, number->place);
+  return number;
+}
+
 AttributeUse ExpressionParser::attribute(ElementPath of) {
   const ElementKind kind = of.kind();
   if (!tokens_.peek().is(TokenKind::word)) unexpected(fmt::format("an attribute of {}", plural_of(kind)));
@@ -148,6 +167,7 @@ AttributeUse ExpressionParser::attribute(ElementPath of) {
   }
   AttributeUse use{std::move(of), meaning->id, meaning->shape, {}};
   use.element.place = join(use.element.place, name.place);
+  if (meaning->takes_number) use.indices.push_back(following_number(meaning->id, use.element.place));
   while (tokens_.peek().is_symbol("[") && use.indices.size() < use.shape.size())
     use.indices.push_back(bracketed_index(use.element.place));
   if (tokens_.peek().is_symbol("[")) {

@@ -250,8 +250,9 @@ ExpressionPointer ExpressionParser::prefix() {
 
 ExpressionPointer ExpressionParser::primary() {
   const std::string_view after = std::exchange(waiting_operator_, {});
-  // An operand is due: a command goes on on the next line.
-  while (in_command() && tokens_.peek().is(TokenKind::newline)) {
+  // An operand is due: commands and formulas go on on the next line.
+  const bool goes_on = in_command() || style_ == ExpressionStyle::formula;
+  while (goes_on && tokens_.peek().is(TokenKind::newline)) {
     tokens_.take();
   }
   const Token& token = tokens_.peek();
@@ -305,6 +306,8 @@ ExpressionPointer ExpressionParser::word() {
     if (const auto parameters = scope_.user_function(name)) return user_call(*parameters);
     if (function != nullptr) return call(*function);
   }
+  text::Place dotted;
+  if (const auto id = dotted_internal(dotted)) return make(InternalUse{*id}, dotted);
   if (const auto id = scope_.variable(name)) return make(VariableUse{*id}, tokens_.take().place);
   if (const auto id = scope_.internal(name)) return make(InternalUse{*id}, tokens_.take().place);
   if (const auto value = named_number(name)) return make(Number{*value}, tokens_.take().place);
@@ -314,6 +317,19 @@ ExpressionPointer ExpressionParser::word() {
                                                token.text, token.text));
   }
   unknown_name(tokens_.take());
+}
+
+std::optional<InternalId> ExpressionParser::dotted_internal(text::Place& place) {
+  const Token& name = tokens_.peek();
+  if (!name.is(TokenKind::word) || scope_.locals().find(name.text) != nullptr) return std::nullopt;
+  const std::string first(name.text);
+  if (!tokens_.peek(1).is_symbol(".") || !tokens_.peek(2).is(TokenKind::word)) return std::nullopt;
+  const auto id = scope_.internal(first + "." + std::string(tokens_.peek(2).text));
+  if (!id) return std::nullopt;
+  place = tokens_.take().place;
+  tokens_.take();
+  place = join(place, tokens_.take().place);
+  return id;
 }
 
 // A local name, or an attribute of the element in turn, whichever is the nearer; null if the next word is

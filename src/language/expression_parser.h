@@ -53,6 +53,8 @@ class ExpressionParser {
   Generator generator(bool attribute_follows = false);
   // The clause `where condition`, if it is there.
   void where_clause(Generator& generator);
+  // The internal value `name.part`, such as volume.target of a quantity, if one is named next; taken then.
+  std::optional<InternalId> dotted_internal(text::Place& place);
   // The attribute of an element of this kind that is named next.
   AttributeUse attribute(ElementPath of);
 
@@ -85,6 +87,7 @@ class ExpressionParser {
   ExpressionPointer local_or_attribute();
   std::vector<ExpressionPointer> arguments(const Token& name, std::optional<std::size_t> wanted);
   ExpressionPointer bracketed_index(text::Place& place);
+  ExpressionPointer following_number(AttributeId attribute, text::Place& place);
   ElementPath element_in_turn(const Local& local, const text::Place& place) const;
 
   std::size_t path_end(std::size_t ahead);

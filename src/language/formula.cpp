@@ -15,6 +15,7 @@ struct Formula::Program {
     constant,
     coordinate,
     time,
+    gravity,
     attribute,
     variable,
     negate,
@@ -40,10 +41,11 @@ struct Formula::Program {
 
 namespace {
 
-// The local slots of a FormulaScope: three coordinates, the time, the attributes, the coordinates by other
-// names.
+// The local slots of a FormulaScope: three coordinates, the time, the constant of gravity, the attributes,
+// the coordinates by other names.
 constexpr std::uint32_t time_slot = 3;
-constexpr std::uint32_t first_attribute_slot = 4;
+constexpr std::uint32_t gravity_slot = 4;
+constexpr std::uint32_t first_attribute_slot = 5;
 
 [[noreturn]] void refuse(const Expression& expression, std::string what) {
   throw text::Error(expression.place, std::move(what),
@@ -106,6 +108,7 @@ class Compiler {
     const std::uint32_t slot = node.id.slot;
     if (slot < time_slot) return emit(Kind::coordinate, slot);
     if (slot == time_slot) return emit(Kind::time, 0);
+    if (slot == gravity_slot) return emit(Kind::gravity, 0);
     const std::uint32_t attribute = slot - first_attribute_slot;
     return attribute < attributes_ ? emit(Kind::attribute, attribute)
                                    : emit(Kind::coordinate, attribute - attributes_);
@@ -174,7 +177,12 @@ bool Formula::depends_on_variables() const {
   return program_ && !program_->variables.empty();
 }
 
-void Formula::bind(const Variables& variables) {
+std::span<const VariableId> Formula::variables() const {
+  return program_ ? std::span<const VariableId>(program_->variables) : std::span<const VariableId>{};
+}
+
+void Formula::bind(const Variables& variables, double gravity) {
+  gravity_ = gravity;
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     const Variable* const variable = variables.get(program_->variables[i]);
     const double* const number = variable != nullptr ? std::get_if<double>(&variable->value) : nullptr;
@@ -196,9 +204,11 @@ Scalar constant(double value) {
 }
 
 template <class Scalar>
-Scalar coordinate(double value, std::size_t axis) {
-  Scalar result = constant<Scalar>(value);
-  if constexpr (!std::is_same_v<Scalar, double>) result.gradient[axis] = 1;
+Scalar coordinate(const FormulaInputs& inputs, std::uint32_t row) {
+  Scalar result = constant<Scalar>(inputs.coordinates[row]);
+  if constexpr (!std::is_same_v<Scalar, double>) {
+    for (std::size_t k = 0; k < 3; ++k) result.gradient[k] = inputs.by[k] == static_cast<int>(row) ? 1 : 0;
+  }
   return result;
 }
 
@@ -221,10 +231,13 @@ Scalar Formula::run(const FormulaInputs& inputs) const {
         r[i] = constant<Scalar>(in.constant);
         break;
       case Kind::coordinate:
-        r[i] = coordinate<Scalar>(inputs.coordinates[in.a], in.a);
+        r[i] = coordinate<Scalar>(inputs, in.a);
         break;
       case Kind::time:
         r[i] = constant<Scalar>(inputs.time);
+        break;
+      case Kind::gravity:
+        r[i] = constant<Scalar>(gravity_);
         break;
       case Kind::attribute:
         r[i] = constant<Scalar>(inputs.attributes[in.a]);

@@ -27,9 +27,10 @@ struct Jet {
 // What a formula may depend on besides its coordinates and the scene's variables, in the order of its local
 // slots.
 struct FormulaInputs {
-  std::span<const double> coordinates;  // three: x, y, z or p1, p2, p3
+  std::span<const double> coordinates;  // three: x, y, z or p1, p2, p3; or six, with those of a normal
   double time = 0;                      // total_time
   std::span<const double> attributes;   // values of `Formula::attributes()` at the element in question
+  std::array<int, 3> by = {0, 1, 2};    // the coordinates by which derivatives are taken
 };
 
 class Formula {
@@ -47,10 +48,12 @@ class Formula {
   const std::vector<std::string>& attributes() const { return attributes_; }
   bool depends_on_time() const;
   bool depends_on_variables() const;
+  // The variables of the scene that the formula reads.
+  std::span<const VariableId> variables() const;
 
   // The present values of the variables that the formula reads; needed before the first evaluation, and after
-  // a variable has changed. Undefined variables count as 0.
-  void bind(const Variables& variables);
+  // a variable has changed. Undefined variables count as 0. `gravity` is what G stands for.
+  void bind(const Variables& variables, double gravity = 0);
 
   // Not a number where the formula has no value (a square root of a negative number, a division by zero).
   double value(const FormulaInputs& inputs) const;
@@ -66,6 +69,7 @@ class Formula {
   std::shared_ptr<const Program> program_;
   std::string text_;
   std::vector<std::string> attributes_;
+  double gravity_ = 0;
   std::vector<double> variables_;  // bound values, in the program's order
 };
 

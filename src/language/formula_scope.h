@@ -1,4 +1,5 @@
-// The names that a formula may use: coordinates, the time, the scene's variables, vertex attributes.
+// The names that a formula may use: coordinates, the time, G for the constant of gravity, the scene's
+// variables, attributes.
 #pragma once
 
 #include <string>
@@ -11,8 +12,9 @@
 namespace lamella::language {
 
 enum class FormulaKind : std::uint8_t {
-  space,      // x, y, z, also x1, x2, x3
-  parameter,  // p1, p2, p3
+  space,             // x, y, z, also x1, x2, x3
+  parameter,         // p1, p2, p3
+  space_and_normal,  // x, y, z, and x4, x5, x6 for the components of a normal
 };
 
 // `attributes` are the names of the vertex attributes that have one number.
@@ -27,7 +29,8 @@ class FormulaScope : public Scope {
   const Variables& variables_;
 };
 
-// Parses one formula from a stream of tokens and compiles it. Errors have their place.
+// Parses one formula from a stream of tokens and compiles it. Its text is made of the tokens, so macros stand
+// replaced in it. Errors have their place.
 Formula parse_formula(TokenStream& tokens, FormulaKind kind, const Variables& variables,
                       const std::vector<std::string>& attributes);
 

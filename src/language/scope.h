@@ -13,6 +13,8 @@ namespace lamella::language {
 struct AttributeMeaning {
   AttributeId id;
   std::vector<int> shape;  // empty for a single number
+  // Instead of an index in brackets a number follows, or the name of what has that number: `on_constraint 1`.
+  bool takes_number = false;
 };
 
 // A name that only a block, a loop or a procedure knows.
@@ -50,6 +52,8 @@ class Scope {
   virtual std::optional<AttributeMeaning> attribute(ElementKind, std::string_view /*name*/) const {
     return {};
   }
+  // The number of what has a name, where an attribute takes a number.
+  virtual std::optional<int> number_named(AttributeId, std::string_view /*name*/) const { return {}; }
   // The number of arguments of a function that the user defined.
   virtual std::optional<std::size_t> user_function(std::string_view /*name*/) const { return {}; }
   // Whether there are elements to speak of (in a datafile's top there are none yet).

@@ -122,6 +122,11 @@ StatementPointer StatementParser::step(const Token& name, const text::Place& pla
 
 StatementPointer StatementParser::attribute_assignment() {
   ExpressionParser parser = expressions();
+  text::Place dotted;
+  if (const auto internal = parser.dotted_internal(dotted)) {
+    if (!assignment_kind(tokens_.peek())) unexpected("\":=\"");
+    return assign_to(*internal);
+  }
   const Token first = tokens_.peek();
   if (!(tokens_.peek(1).is_symbol("[") || tokens_.peek(1).is_symbol("."))) {
     throw text::Error(first.place, fmt::format("a command cannot begin with {}", describe(first)),

@@ -279,7 +279,8 @@ StatementPointer StatementParser::word_statement() {
     const text::Place place = tokens_.peek(1).place;
     throw text::Error(place, "permanent definitions are not supported", "use :=");
   }
-  if (expressions().at_elements()) return attribute_assignment();
+  const bool dotted = tokens_.peek(1).is_symbol(".") && !scope_.is_command(tokens_.peek().text);
+  if (expressions().at_elements() || dotted) return attribute_assignment();
   if (scope_.procedure(tokens_.peek().text)) return procedure_call();
   if (scope_.is_command(tokens_.peek().text)) {
     const text::Place place = tokens_.peek().place;

@@ -87,16 +87,29 @@ bool on_constraint(const Scene& scene, ElementKind kind, std::uint32_t row, int 
   return std::any_of(numbers.begin(), numbers.end(), [&](int n) { return std::abs(n) == number; });
 }
 
+void reserve_constraints(Scene& scene, ElementKind kind, int width) {
+  if (width > 0) widened(scene, kind, width);
+}
+
+int constraint_width(const Scene& scene, ElementKind kind) {
+  const Column* const column = constraints_column(scene, kind);
+  return column != nullptr ? column->width : 0;
+}
+
 int boundary_of(const Scene& scene, ElementKind kind, std::uint32_t row) {
   const Column* const column = scene.film.columns(kind).find(boundary_column);
   return column != nullptr ? static_cast<int>(column->value(row)) : 0;
 }
 
-void set_boundary(Scene& scene, ElementKind kind, std::uint32_t row, int number) {
+void reserve_boundaries(Scene& scene, ElementKind kind) {
   film::Columns& columns = scene.film.columns(kind);
   if (columns.find(boundary_column) == nullptr)
     columns.add(film::integer_column(boundary_column, 0, film::Inheritance::New::parent));
-  columns.edit(boundary_column)->set(row, 0, number);
+}
+
+void set_boundary(Scene& scene, ElementKind kind, std::uint32_t row, int number) {
+  reserve_boundaries(scene, kind);
+  scene.film.columns(kind).edit(boundary_column)->set(row, 0, number);
 }
 
 std::array<double, 3> boundary_parameters(const Scene& scene, Vertex v) {
@@ -114,16 +127,32 @@ void set_boundary_parameters(Scene& scene, Vertex v, const std::array<double, 3>
   for (int k = 0; k < 3; ++k) column->set(v.index, k, parameters[static_cast<std::size_t>(k)]);
 }
 
+namespace {
+
+void bind_integrand(std::optional<EdgeIntegrand>& integrand, const Scene& scene) {
+  if (!integrand) return;
+  for (language::Formula& formula : *integrand) formula.bind(scene.variables, present_gravity(scene));
+}
+
+}  // namespace
+
 void bind_formulas(Scene& scene) {
   for (auto& [number, set] : scene.level_sets) {
-    set.formula.bind(scene.variables);
-    bind(set.energy, scene.variables);
-    bind(set.content, scene.variables);
+    set.formula.bind(scene.variables, present_gravity(scene));
+    bind_integrand(set.energy, scene);
+    bind_integrand(set.content, scene);
   }
   for (auto& [number, boundary] : scene.boundaries) {
-    for (language::Formula& formula : boundary.position) formula.bind(scene.variables);
-    bind(boundary.energy, scene.variables);
-    bind(boundary.content, scene.variables);
+    for (language::Formula& formula : boundary.position)
+      formula.bind(scene.variables, present_gravity(scene));
+    bind_integrand(boundary.energy, scene);
+    bind_integrand(boundary.content, scene);
+  }
+  for (Quantity& quantity : scene.quantities) {
+    for (MethodInstance& instance : quantity.methods) {
+      instance.scalar.bind(scene.variables, present_gravity(scene));
+      for (language::Formula& formula : instance.field) formula.bind(scene.variables, present_gravity(scene));
+    }
   }
 }
 

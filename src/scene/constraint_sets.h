@@ -14,9 +14,16 @@ void add_constraint(Scene& scene, film::ElementKind kind, std::uint32_t row, int
 void remove_constraint(Scene& scene, film::ElementKind kind, std::uint32_t row, int number);
 bool on_constraint(const Scene& scene, film::ElementKind kind, std::uint32_t row, int number);
 
+// Makes room for so many constraints on each element of a kind, so that new ones can inherit them.
+void reserve_constraints(Scene& scene, film::ElementKind kind, int width);
+// How many there is room for.
+int constraint_width(const Scene& scene, film::ElementKind kind);
+
 // 0 for none.
 int boundary_of(const Scene& scene, film::ElementKind kind, std::uint32_t row);
 void set_boundary(Scene& scene, film::ElementKind kind, std::uint32_t row, int number);
+// Makes the column of boundaries, so that new elements can inherit them.
+void reserve_boundaries(Scene& scene, film::ElementKind kind);
 std::array<double, 3> boundary_parameters(const Scene& scene, film::Vertex v);
 void set_boundary_parameters(Scene& scene, film::Vertex v, const std::array<double, 3>& parameters);
 
@@ -30,9 +37,9 @@ void bind_formulas(Scene& scene);
 // The value of a level set's formula at a vertex.
 double level(const Scene& scene, const LevelSet& set, film::Vertex v);
 
-// Puts every vertex of rows `first` and up on its boundary (at the point nearest to where it is, starting
-// from the parameters of `hint` neighbours along the boundary) and on its constraints. After splits and
-// refinement, so that a refined circle is a circle.
+// Puts every vertex of rows `first` and up on its boundary (near the point nearest to where it is, found from
+// the parameters of the vertex ahead of it) and on its constraints. After splits and refinement, so that a
+// refined circle is a circle.
 void settle_vertices(Scene& scene, std::uint32_t first);
 
 // Puts every vertex on its constraints from where it is; fixed ones stay, or go with their boundary. Returns

@@ -60,12 +60,12 @@ bool violated(const LevelSet& set, double value) {
 
 }  // namespace
 
-std::vector<double> attributes_of(const film::Film& film, const language::Formula& formula,
-                                  std::uint32_t vertex) {
+std::vector<double> attributes_of(const film::Film& film, const language::Formula& formula, ElementKind kind,
+                                  std::uint32_t row) {
   std::vector<double> values;
   for (const std::string& name : formula.attributes()) {
-    const film::Column* const column = film.columns(ElementKind::vertex).find(name);
-    values.push_back(column != nullptr ? column->value(vertex) : 0.0);
+    const film::Column* const column = film.columns(kind).find(name);
+    values.push_back(column != nullptr ? column->value(row) : 0.0);
   }
   return values;
 }
@@ -73,7 +73,8 @@ std::vector<double> attributes_of(const film::Film& film, const language::Formul
 Level level_at(const Scene& scene, const LevelSet& set, const Vec3& point, std::uint32_t vertex) {
   const std::array<double, 3> at{point.x, point.y, point.z};
   std::vector<double> attributes;
-  if (!set.formula.attributes().empty()) attributes = attributes_of(scene.film, set.formula, vertex);
+  if (!set.formula.attributes().empty())
+    attributes = attributes_of(scene.film, set.formula, ElementKind::vertex, vertex);
   const language::Jet jet = set.formula.gradient({at, scene.time, attributes});
   return {jet.value, vector_of(jet.gradient)};
 }
@@ -83,23 +84,26 @@ double level(const Scene& scene, const LevelSet& set, Vertex v) {
 }
 
 bool project_to_level_sets(const Scene& scene, std::span<const int> numbers, std::uint32_t vertex,
-                           Vec3& point) {
+                           Vec3& point, double tolerance) {
   double before = HUGE_VAL;
   for (int step = 0; step < most_steps; ++step) {
     std::array<Level, most_constraints> levels;
     int active = 0;
     double distance = 0;
+    bool tolerable = true;
     for (const int number : numbers) {
       const auto at = scene.level_sets.find(std::abs(number));
       if (at == scene.level_sets.end() || active == most_constraints) continue;
       const Level found = level_at(scene, at->second, point, vertex);
       if (!std::isfinite(found.value)) return false;
       if (!violated(at->second, found.value)) continue;
+      tolerable = tolerable && std::abs(found.value) <= tolerance;
       distance = std::max(distance, std::abs(found.value) / std::max(length(found.gradient), 1e-300));
       levels[static_cast<std::size_t>(active++)] = found;
     }
     const double rounding = 4e-16 * (std::abs(point.x) + std::abs(point.y) + std::abs(point.z) + 1e-300);
-    if (active == 0 || distance <= rounding || (distance < 100 * rounding && distance >= before)) return true;
+    if (active == 0 || tolerable || distance <= rounding || (distance < 100 * rounding && distance >= before))
+      return true;
     before = distance;
     std::array<std::array<double, 3>, 3> gram{};
     std::array<double, 3> multipliers{};
@@ -138,27 +142,37 @@ Vec3 boundary_position(const Scene& scene, const Boundary& boundary,
   return boundary_point(scene, boundary, parameters).position;
 }
 
-bool nearest_parameters(const Scene& scene, const Boundary& boundary, const Vec3& target,
-                        std::array<double, 3>& parameters) {
-  const int n = boundary.parameters;
-  double before = HUGE_VAL;
-  for (int step = 0; step < most_steps; ++step) {
+double approach_parameters(const Scene& scene, const Boundary& boundary, const Vec3& target,
+                           std::array<double, 3>& parameters, int steps) {
+  const auto n = static_cast<std::size_t>(boundary.parameters);
+  double size = HUGE_VAL;
+  for (int step = 0; step < steps; ++step) {
     const BoundaryPoint at = boundary_point(scene, boundary, parameters);
     const Vec3 miss = target - at.position;
     std::array<std::array<double, 3>, 3> gram{};
     std::array<double, 3> change{};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
       change[i] = dot(at.tangents[i], miss);
-      for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j)
-        gram[i][j] = dot(at.tangents[i], at.tangents[j]);
+      for (std::size_t j = 0; j < n; ++j) gram[i][j] = dot(at.tangents[i], at.tangents[j]);
     }
-    solve_small(n, gram, change);
-    double size = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    solve_small(boundary.parameters, gram, change);
+    size = 0;
+    for (std::size_t i = 0; i < n; ++i) {
       parameters[i] += change[i];
-      size = std::max(size, std::abs(change[i]) / (1 + std::abs(parameters[i])));
+      const double part = std::abs(change[i]) / (1 + std::abs(parameters[i]));
+      size = size >= part ? size : part;  // not a number stays
     }
-    if (!std::isfinite(size)) return false;
+    if (!std::isfinite(size)) return NAN;
+  }
+  return size;
+}
+
+bool nearest_parameters(const Scene& scene, const Boundary& boundary, const Vec3& target,
+                        std::array<double, 3>& parameters) {
+  double before = HUGE_VAL;
+  for (int step = 0; step < most_steps; ++step) {
+    const double size = approach_parameters(scene, boundary, target, parameters, 1);
+    if (std::isnan(size)) return false;
     if (size < 1e-15 || (size < 1e-12 && size >= before)) return true;
     before = size;
   }
@@ -179,19 +193,34 @@ int orthonormalise(std::span<Vec3> vectors) {
 
 namespace {
 
-// Parameters of a neighbour along an edge of the same boundary: the best start for finding the nearest point.
-std::array<double, 3> start_parameters(const Scene& scene, Vertex v, int boundary) {
+// As many steps as files written elsewhere expect: for the middle of a short edge that is near enough to the
+// nearest point, and whatever the parameters, the vertex lies on its boundary.
+constexpr int steps_to_middle = 5;
+
+// The parameters of the vertex at the head of the boundary edge that begins here: what splits an edge is the
+// tail of its second half. Parameters may jump where a curve closes, so those of one end are the start, not
+// the mean of both.
+std::array<double, 3> parameters_ahead(const Scene& scene, Vertex v, int boundary) {
   std::array<double, 3> parameters = boundary_parameters(scene, v);
-  std::uint32_t lowest = v.index;
   scene.film.for_each_end(v, [&](EdgeEnd end) {
-    if (boundary_of(scene, ElementKind::edge, end.edge().index) != boundary) return;
-    const Vertex neighbour = scene.film.head(end.outward());
-    if (boundary_of(scene, ElementKind::vertex, neighbour.index) != boundary || neighbour.index >= lowest)
-      return;
-    lowest = neighbour.index;
-    parameters = boundary_parameters(scene, neighbour);
+    const film::SignedEdge outward = end.outward();
+    const Vertex neighbour = scene.film.head(outward);
+    const bool along = !outward.reversed() &&
+                       boundary_of(scene, ElementKind::edge, outward.edge().index) == boundary &&
+                       boundary_of(scene, ElementKind::vertex, neighbour.index) == boundary;
+    if (along) parameters = boundary_parameters(scene, neighbour);
   });
   return parameters;
+}
+
+// Of a vertex between two others of its boundary.
+bool find_parameters(const Scene& scene, const Boundary& boundary, int number, Vertex v,
+                     std::array<double, 3>& parameters) {
+  parameters = boundary_parameters(scene, v);
+  if (scene.interpolate_parameters) return true;
+  parameters = parameters_ahead(scene, v, number);
+  return !std::isnan(
+      approach_parameters(scene, boundary, scene.film.position(v), parameters, steps_to_middle));
 }
 
 }  // namespace
@@ -205,15 +234,16 @@ void settle_vertices(Scene& scene, std::uint32_t first) {
     if (!film.alive(v)) continue;
     const auto boundary = scene.boundaries.find(boundary_of(scene, ElementKind::vertex, row));
     if (boundary != scene.boundaries.end()) {
-      std::array<double, 3> parameters = start_parameters(scene, v, boundary->first);
-      if (!nearest_parameters(scene, boundary->second, film.position(v), parameters)) continue;
+      std::array<double, 3> parameters{};
+      if (!find_parameters(scene, boundary->second, boundary->first, v, parameters)) continue;
       set_boundary_parameters(scene, v, parameters);
       scene.film.move(v, boundary_position(scene, boundary->second, parameters));
       continue;
     }
     const std::vector<int> numbers = constraints_of(scene, ElementKind::vertex, row);
     Vec3 point = film.position(v);
-    if (!numbers.empty() && project_to_level_sets(scene, numbers, row, point)) scene.film.move(v, point);
+    if (!numbers.empty() && project_to_level_sets(scene, numbers, row, point, scene.constraint_tolerance))
+      scene.film.move(v, point);
   }
 }
 

@@ -16,15 +16,16 @@ struct Level {
 // The value and gradient of a formula at a point; attributes are those of the vertex (a row of the film).
 Level level_at(const Scene& scene, const LevelSet& set, const film::Vec3& point, std::uint32_t vertex);
 
-// The attributes that a formula reads, of one vertex.
+// The attributes that a formula reads, of one element.
 std::vector<double> attributes_of(const film::Film& film, const language::Formula& formula,
-                                  std::uint32_t vertex);
+                                  film::ElementKind kind, std::uint32_t row);
 
 // The nearest point (to first order, by Newton's method with the smallest steps) at which all constraints
 // hold: equalities exactly, one-sided ones if violated. Returns false if it does not converge: constraints
-// that contradict each other, or a formula without value or gradient there.
+// that contradict each other, or a formula without value or gradient there. Values of formulas up to
+// `tolerance` count as 0.
 bool project_to_level_sets(const Scene& scene, std::span<const int> numbers, std::uint32_t vertex,
-                           film::Vec3& point);
+                           film::Vec3& point, double tolerance = 0);
 
 // A point of a boundary with its derivatives by the parameters.
 struct BoundaryPoint {
@@ -34,8 +35,13 @@ struct BoundaryPoint {
 BoundaryPoint boundary_point(const Scene& scene, const Boundary& boundary,
                              const std::array<double, 3>& parameters);
 
-// Moves parameters to the point of the boundary nearest to `target` (Gauss and Newton's method from where
-// they are). False if it does not converge.
+// Moves parameters towards the point of the boundary nearest to `target` by steps of Gauss and Newton's
+// method. Returns the last change of a parameter, relative to its size; not a number where that leads
+// nowhere.
+double approach_parameters(const Scene& scene, const Boundary& boundary, const film::Vec3& target,
+                           std::array<double, 3>& parameters, int steps);
+
+// The same until nothing changes any more. False if it does not converge.
 bool nearest_parameters(const Scene& scene, const Boundary& boundary, const film::Vec3& target,
                         std::array<double, 3>& parameters);
 

@@ -28,6 +28,10 @@ void advance_targets(Scene& scene, double time) {
   }
 }
 
+double present_gravity(const Scene& scene) {
+  return scene.gravity.on ? scene.gravity.constant : 0;
+}
+
 double tension(const Scene& scene, film::Triangle t) {
   const auto tensions = scene.film.columns(film::ElementKind::facet).reals("tension");
   return tensions.empty() ? 1.0 : tensions[t.index];

@@ -14,6 +14,7 @@
 #include "language/variables.h"
 #include "scene/constraint.h"
 #include "scene/forces.h"
+#include "scene/quantity.h"
 
 namespace lamella::scene {
 
@@ -67,8 +68,14 @@ struct Scene {
   language::Procedures procedures;
   LevelSets level_sets;
   Boundaries boundaries;
-  double gap_constant = 1;      // of the gap energy at convex constraints
-  int edge_integral_order = 3;  // polynomials up to this degree are integrated exactly along edges
+  std::vector<Quantity> quantities;
+  double gap_constant = 1;              // of the gap energy at convex constraints
+  int edge_integral_order = 3;          // polynomials up to this degree are integrated exactly along edges
+  double constraint_tolerance = 1e-12;  // values of level sets that files and splits may leave
+  int facet_integral_order = 6;         // and over facets
+  // The parameters of a vertex that splits an edge of a boundary are the mean of the ends' (the datafile's
+  // interp_bdry_param), else those of the point near the middle.
+  bool interpolate_parameters = false;
   Gravity gravity;
   DescentScale scale;
   bool keep_volumes = true;  // vc on|off
@@ -100,6 +107,9 @@ double target_at(const Body& body, double time);
 
 // Moves targets that are on a ramp to their values at a time; ramps that have ended go.
 void advance_targets(Scene& scene, double time);
+
+// The constant of gravity that acts: 0 where gravity is off.
+double present_gravity(const Scene& scene);
 
 // The tension of a facet: 1 unless the film has a column "tension".
 double tension(const Scene& scene, film::Triangle t);

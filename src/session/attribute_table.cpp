@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "session/constraint_attributes.h"
 #include "session/element_access.h"
 #include "text/error.h"
 
@@ -161,10 +162,10 @@ void set_front_body(const Source& source, const Element& f, int, double number) 
 void set_back_body(const Source& source, const Element& f, int, double number) {
   set_regions(source, f, {region_numbered(source, number), regions(source, f).behind});
 }
-void unset_front_body(const Source& source, const Element& f) {
+void unset_front_body(const Source& source, const Element& f, int) {
   set_front_body(source, f, 0, 0);
 }
-void unset_back_body(const Source& source, const Element& f) {
+void unset_back_body(const Source& source, const Element& f, int) {
   set_back_body(source, f, 0, 0);
 }
 
@@ -189,7 +190,7 @@ void set_target(const Source& source, const Element& b, int, double value) {
   body(source, b).ramp.reset();
   body(source, b).fixed_pressure.reset();
 }
-void unset_target(const Source& source, const Element& b) {
+void unset_target(const Source& source, const Element& b, int) {
   body(source, b).target_volume.reset();
   body(source, b).ramp.reset();
   body(source, b).pressure = 0;
@@ -208,7 +209,7 @@ void set_pressure(const Source& source, const Element& b, int, double value) {
   }
   body(source, b).fixed_pressure = value;
 }
-void unset_pressure(const Source& source, const Element& b) {
+void unset_pressure(const Source& source, const Element& b, int) {
   body(source, b).fixed_pressure.reset();
 }
 double body_density(const Source& source, const Element& b, int) {
@@ -218,7 +219,7 @@ void set_body_density(const Source& source, const Element& b, int, double value)
   if (!std::isfinite(value)) throw text::Error(fmt::format("a density cannot be {}", value));
   body(source, b).density = value;
 }
-void unset_body_density(const Source& source, const Element& b) {
+void unset_body_density(const Source& source, const Element& b, int) {
   body(source, b).density = 0;
 }
 double volume_constant(const Source& source, const Element& b, int) {
@@ -311,11 +312,11 @@ constexpr ElementKind all_kinds[] = {ElementKind::vertex, ElementKind::edge, Ele
 AttributeRow computed(ElementKind kind, std::string name, std::string summary,
                       decltype(AttributeRow::get) get, decltype(AttributeRow::set) set = nullptr,
                       decltype(AttributeRow::unset) unset = nullptr) {
-  return {kind, std::move(name), std::move(summary), {}, {}, get, set, unset};
+  return {kind, std::move(name), std::move(summary), {}, {}, get, set, unset, false};
 }
 
 AttributeRow kept(ElementKind kind, std::string name, std::string column, std::string summary) {
-  return {kind, std::move(name), std::move(summary), std::move(column), {}, nullptr, nullptr, nullptr};
+  return {kind, std::move(name), std::move(summary), std::move(column), {}, nullptr, nullptr, nullptr, false};
 }
 
 void add_vertex_rows(std::deque<AttributeRow>& rows) {
@@ -399,6 +400,7 @@ std::deque<AttributeRow> built_in_attributes() {
   add_edge_rows(rows);
   add_facet_rows(rows);
   add_body_rows(rows);
+  add_constraint_attributes(rows);
   for (const ElementKind kind : all_kinds) {
     rows.push_back(computed(kind, "id", "number", id));
     rows.push_back(computed(kind, "oid", "number, negative where the element is met reversed", oriented_id));

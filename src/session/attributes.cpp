@@ -47,7 +47,7 @@ std::optional<language::AttributeMeaning> Attributes::find(const scene::Scene& s
   for (std::uint32_t i = 0; i < rows_.size(); ++i) {
     const AttributeRow& row = rows_[i];
     if (row.kind == kind && row.name == key && !row.summary.empty())
-      return language::AttributeMeaning{{i}, row.shape};
+      return language::AttributeMeaning{{i}, row.shape, row.takes_number};
   }
   for (const AttributeRow& promise : promised_) {
     if (promise.kind == kind && promise.name == key) return user_row(kind, key, promise.shape);
@@ -64,12 +64,12 @@ language::AttributeMeaning Attributes::user_row(ElementKind kind, const std::str
     const AttributeRow& row = rows_[i];
     if (row.kind == kind && row.name == name && row.shape == shape) return {{i}, shape};
   }
-  rows_.push_back({kind, name, {}, name, shape, nullptr, nullptr, nullptr});
+  rows_.push_back({kind, name, {}, name, shape, nullptr, nullptr, nullptr, false});
   return {{static_cast<std::uint32_t>(rows_.size() - 1)}, shape};
 }
 
 void Attributes::promise(ElementKind kind, std::string_view name, std::vector<int> shape) {
-  promised_.push_back({kind, text::lower(name), {}, {}, std::move(shape), nullptr, nullptr, nullptr});
+  promised_.push_back({kind, text::lower(name), {}, {}, std::move(shape), nullptr, nullptr, nullptr, false});
 }
 
 std::string Attributes::summary(ElementKind kind, std::string_view name) const {
@@ -122,10 +122,11 @@ void Attributes::set(const Source& source, language::AttributeId id, const Eleme
   columns_of(source.scene, row.kind).edit(row.column)->set(element.row, component, value);
 }
 
-void Attributes::unset(const Source& source, language::AttributeId id, const Element& element) const {
+void Attributes::unset(const Source& source, language::AttributeId id, const Element& element,
+                       int component) const {
   const AttributeRow& row = rows_[id.row];
   if (row.unset != nullptr) {
-    row.unset(source, element);
+    row.unset(source, element, component);
     return;
   }
   if (row.column.empty()) {

@@ -31,7 +31,9 @@ struct AttributeRow {
   std::vector<int> shape;
   double (*get)(const AttributeSource&, const language::Element&, int component) = nullptr;
   void (*set)(const AttributeSource&, const language::Element&, int component, double value) = nullptr;
-  void (*unset)(const AttributeSource&, const language::Element&) = nullptr;
+  void (*unset)(const AttributeSource&, const language::Element&, int component) = nullptr;
+  // The component is the number of a constraint or boundary, less one: `on_constraint 1`.
+  bool takes_number = false;
 };
 
 // The rows' numbers hold for the whole session, so that parsed text can keep them.
@@ -56,7 +58,8 @@ class Attributes {
              int component) const;
   void set(const AttributeSource& source, language::AttributeId id, const language::Element& element,
            int component, double value) const;
-  void unset(const AttributeSource& source, language::AttributeId id, const language::Element& element) const;
+  void unset(const AttributeSource& source, language::AttributeId id, const language::Element& element,
+             int component) const;
   bool can_set(language::AttributeId id) const;
 
  private:

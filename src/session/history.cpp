@@ -65,6 +65,13 @@ std::string forces_text(const scene::Forces& forces) {
                      forces.wind ? forces.wind->text() : "", forces.wind_pressure);
 }
 
+bool quantities_differ(const scene::Scene& a, const scene::Scene& b) {
+  return !std::equal(a.quantities.begin(), a.quantities.end(), b.quantities.begin(), b.quantities.end(),
+                     [](const scene::Quantity& x, const scene::Quantity& y) {
+                       return x.name == y.name && x.modulus == y.modulus && x.target == y.target;
+                     });
+}
+
 bool settings_differ(const scene::Scene& a, const scene::Scene& b) {
   return a.gravity.constant != b.gravity.constant || a.gravity.on != b.gravity.on ||
          a.scale.value != b.scale.value || a.scale.fixed != b.scale.fixed || a.scale.limit != b.scale.limit ||
@@ -73,7 +80,7 @@ bool settings_differ(const scene::Scene& a, const scene::Scene& b) {
          a.gap_constant != b.gap_constant || a.edge_integral_order != b.edge_integral_order ||
          a.damping != b.damping || a.mass_of_area != b.mass_of_area || a.work != b.work ||
          a.mesh_fitness != b.mesh_fitness || forces_text(a.forces) != forces_text(b.forces) ||
-         a.name != b.name;
+         a.name != b.name || quantities_differ(a, b);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "session/argument_parser.h"
 #include "session/internal_variables.h"
 #include "session/interrupt.h"
+#include "session/quantity_parts.h"
 #include "session/session.h"
 #include "text/suggest.h"
 
@@ -25,6 +26,7 @@ const Value& Machine::variable(language::VariableId id) {
 }
 
 Value Machine::internal(language::InternalId id) {
+  if (is_quantity_part(id)) return quantity_part(session_.scene(), id);
   return internal_variable(id).get(session_);
 }
 
@@ -69,6 +71,7 @@ void Machine::assign(language::VariableId id, Value value) {
 }
 
 void Machine::assign(language::InternalId id, const Value& value) {
+  if (is_quantity_part(id)) return set_quantity_part(session_.scene(), id, value);
   const InternalVariable& variable = internal_variable(id);
   if (variable.set == nullptr)
     throw text::Error(fmt::format("\"{}\" cannot be set: it is {}", variable.name, variable.summary));

@@ -5,6 +5,7 @@
 #include "language/evaluate.h"
 #include "session/argument_parser.h"
 #include "session/internal_variables.h"
+#include "session/quantity_parts.h"
 #include "text/suggest.h"
 
 namespace lamella::session {
@@ -29,12 +30,25 @@ std::optional<language::VariableId> Names::variable(std::string_view name) const
 }
 
 std::optional<language::InternalId> Names::internal(std::string_view name) const {
+  if (const auto part = find_quantity_part(scene_, name)) return part;
   return find_internal_variable(name);
 }
 
 std::optional<language::AttributeMeaning> Names::attribute(language::ElementKind kind,
                                                            std::string_view name) const {
   return attributes_.find(scene_, kind, name);
+}
+
+std::optional<int> Names::number_named(language::AttributeId attribute, std::string_view name) const {
+  const std::string key = text::lower(name);
+  const auto find = [&](const auto& declared) -> std::optional<int> {
+    for (const auto& [number, one] : declared) {
+      if (one.name == key) return number;
+    }
+    return std::nullopt;
+  };
+  const bool boundary = attributes_.row(attribute).name.find("boundary") != std::string::npos;
+  return boundary ? find(scene_.boundaries) : find(scene_.level_sets);
 }
 
 std::optional<std::size_t> Names::user_function(std::string_view name) const {

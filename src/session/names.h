@@ -27,6 +27,7 @@ class Names : public language::StatementScope {
   std::optional<language::InternalId> internal(std::string_view name) const override;
   std::optional<language::AttributeMeaning> attribute(language::ElementKind kind,
                                                       std::string_view name) const override;
+  std::optional<int> number_named(language::AttributeId attribute, std::string_view name) const override;
   std::optional<std::size_t> user_function(std::string_view name) const override;
   bool has_elements() const override { return true; }
   void collect_names(std::vector<std::string>& into) const override;

@@ -67,6 +67,7 @@ struct Session::State {
   bool quit = false;
   long undo_request = 0;
   int reads = 0;
+  bool file_missing = false;  // the last statement failed because a file could not be read
 };
 
 Session::Session(std::span<const Command* const> commands)
@@ -309,12 +310,73 @@ void Session::run_within(const text::Place& part) {
   --state_->reads;
 }
 
+namespace {
+
+// As a warning, of which a datafile's commands give many.
+text::Diagnostic left_out(const text::Error& error) {
+  text::Diagnostic diagnostic = error.diagnostics().front();
+  diagnostic.severity = text::Severity::warning;
+  diagnostic.message += "; this command is left out";
+  return diagnostic;
+}
+
+}  // namespace
+
+bool Session::run_or_restore(const language::Block& statement, std::optional<text::Error>& failure) {
+  scene::Scene before = state_->scene;
+  state_->file_missing = false;
+  try {
+    language::execute(statement, state_->machine, state_->machine.evaluation());
+    return true;
+  } catch (const text::Error& error) {
+    state_->scene = std::move(before);
+    failure = error;
+    return false;
+  }
+}
+
+void Session::run_what_can_be(const text::Place& part) {
+  constexpr int most_told = 8;
+  int failures = 0;
+  const auto leave_out = [&](const text::Error& error) {
+    if (++failures <= most_told) warn(left_out(error));
+  };
+  LexerStream tokens(Lexer(part, LexerMode::command));
+  StatementParser parser(tokens, state_->names);
+  for (bool more = true; more;) {
+    const std::uint32_t begin = tokens.previous_end();
+    Batch batch;
+    try {
+      batch = parse_batch(parser, state_->names);
+    } catch (const text::Error& error) {
+      leave_out(error);
+      tokens.rewind(begin);
+      parser.skip_statement_line();
+      continue;
+    }
+    more = !batch.at_end;
+    std::optional<text::Error> failure;
+    for (const Batch::Statement& statement : batch.statements) {
+      if (run_or_restore(*statement.block, failure)) continue;
+      leave_out(*failure);
+      if (!state_->file_missing) continue;
+      warn("the rest of the datafile's commands is left out too: they may need what that file defines");
+      more = false;
+      break;
+    }
+  }
+  state_->names.forget_promises();
+  if (failures > most_told) warn(fmt::format("{} more commands are left out", failures - most_told));
+}
+
 void Session::run_within(const language::Block& commands) {
   language::execute(commands, state_->machine, state_->machine.evaluation());
 }
 
 void Session::read(const std::string& path) {
+  state_->file_missing = true;
   const text::SourcePointer source = text::make_source(path, text::read_whole_file(path));
+  state_->file_missing = false;
   run_within(whole(source));
 }
 
@@ -324,8 +386,8 @@ void Session::load(const std::string& path) {
   state_->scene = std::move(result.scene);
   state_->counters.clear();
   seed_random(first_seed);
-  for (const text::Place& declaration : result.procedures) run_within(declaration);
-  for (const text::Place& commands : result.read_section) run_within(commands);
+  for (const text::Place& declaration : result.procedures) run_what_can_be(declaration);
+  for (const text::Place& commands : result.read_section) run_what_can_be(commands);
   const film::Film& film = state_->scene.film;
   tell("{}: {} vertices, {} edges, {} facets, {} bodies\n", path, film.vertex_count(), film.edge_count(),
        film.triangle_count(), scene::body_count(state_->scene));

@@ -98,6 +98,10 @@ class Session {
   // Runs statements as a part of the one that is running; what fails is thrown.
   void run_within(const text::Place& part);
   void run_within(const language::Block& commands);
+  // The same, but what cannot be parsed or fails is left out, with a warning that says so: the commands that
+  // a datafile brings must not keep it from loading.
+  // Where a file to read is missing, the rest is left out too.
+  void run_what_can_be(const text::Place& part);
   void read(const std::string& path);
   // Replaces the scene by a datafile's and runs the commands at its end.
   void load(const std::string& path);
@@ -116,6 +120,7 @@ class Session {
   struct State;
   std::any& memory_of(std::type_index type);
   Outcome run_statement(const language::Block& statement, const std::string& text);
+  bool run_or_restore(const language::Block& statement, std::optional<text::Error>& failure);
   void apply_requested_undo();
 
   std::unique_ptr<State> state_;

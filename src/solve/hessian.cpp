@@ -130,6 +130,7 @@ void ConstrainedHessian::assemble(const Problem& problem, const Basis& basis, st
   std::fill(matrix_.value.begin(), matrix_.value.end(), 0.0);
   shift_ = 0;
   const std::vector<double> pressure = pressures_of_regions(problem);
+  add_quantities(problem.energy(), basis, x);
   add_films(problem.energy(), basis, x, pressure);
   add_other_terms(problem.energy(), basis, x, pressure);
   add_borders(problem, basis);
@@ -144,6 +145,24 @@ void ConstrainedHessian::assemble(const Problem& problem, const Basis& basis, st
       if (value(column(i)) == 0) value(column(i)) = 1;
     }
   }
+}
+
+void ConstrainedHessian::add_quantities(const energy::FilmEnergy& energy, const Basis& basis,
+                                        std::span<const Vec3> x) {
+  class Sink : public energy::HessianSink {
+   public:
+    Sink(ConstrainedHessian& hessian, const Basis& basis) : hessian_(hessian), basis_(basis) {}
+    void add(std::uint32_t u, std::uint32_t v, const Mat3& block) override {
+      if (u == v) return hessian_.add_own(basis_, u, block);
+      hessian_.add_mixed(basis_, u, v, hessian_.entry_of(u, v), block);
+    }
+
+   private:
+    ConstrainedHessian& hessian_;
+    const Basis& basis_;
+  };
+  Sink sink(*this, basis);
+  energy.add_quantity_hessians(x, sink);
 }
 
 // The blocks of energy/triangle_hessian.h, with d the directions of corners i and j, the normal n and

@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Files, DamagedFiles,
                                          "tricky/formulas_everywhere.fe", "tricky/nested_define.fe",
                                          "tricky/include_vertices.fe", "tricky/comments.fe", "tricky/seam.fe",
                                          "tricky/continuation.fe", "tricky/singular_sections.fe",
-                                         "unsupported/constraint_with_integrals.fe"));
+                                         "tricky/constraint_integrals.fe", "tricky/boundaries.fe"));
 
 TEST(DamagedFiles, MayNestDeeply) {
   constexpr int depth = 100000;

@@ -52,15 +52,16 @@ EvolverAnswer ask_evolver(const std::string& datafile_text) {
   const Folder folder;
   text::write_whole_file(folder.path() / "scene.fe", datafile_text);
   text::write_whole_file(folder.path() / "ask",
-                         "printf \"counts %d %d %d %d %.17g\\n\", vertex_count, edge_count, facet_count, "
-                         "body_count, total_area\nq\nq\n");
+                         "printf \"counts %d %d %d %d %.17g %.17g\\n\", vertex_count, edge_count, "
+                         "facet_count, body_count, total_area, total_energy\nq\nq\n");
   EvolverAnswer answer;
   answer.output =
       output_of(fmt::format("cd {} && timeout 60 evolver scene.fe < ask 2>&1", folder.path().string()));
   const std::size_t at = answer.output.rfind("counts ");
   if (at == std::string::npos || answer.output.find("ERROR") != std::string::npos) return answer;
-  answer.loaded = std::sscanf(answer.output.c_str() + at, "counts %u %u %u %u %lf", &answer.vertices,
-                              &answer.edges, &answer.facets, &answer.bodies, &answer.area) == 5;
+  answer.loaded =
+      std::sscanf(answer.output.c_str() + at, "counts %u %u %u %u %lf %lf", &answer.vertices, &answer.edges,
+                  &answer.facets, &answer.bodies, &answer.area, &answer.energy) == 6;
   return answer;
 }
 

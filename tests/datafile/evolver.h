@@ -18,6 +18,7 @@ struct EvolverAnswer {
   std::uint32_t facets = 0;
   std::uint32_t bodies = 0;
   double area = 0;
+  double energy = 0;
 };
 
 // Loads a datafile in Evolver, and asks for counts and area.

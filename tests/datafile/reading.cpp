@@ -401,10 +401,10 @@ TEST(Commands, OfTheTopSectionAreKept) {
 TEST(Unsupported, FeaturesAreToldOnceEach) {
   EXPECT_EQ(
       complaints(
-          "constraint 1\nformula: z = 0\nconstraint 2\nfunction: x\nenergy\ne1: 0\nboundary 1 parameters 1\n"
-          "x1: p1\nx2: 0\nx3: 0\nvertices\n1 3 boundary 1\n"),
-      "\"constraint\" is not supported yet (level-set constraints)\n"
-      "\"boundary\" is not supported yet (parametric boundaries)\n");
+          "torus\nperiods\n1 0 0\n0 1 0\n0 0 1\nmetric\n1 0 0\n0 1 0\n0 0 1\nconstraint 1\nformula: x7\n"
+          "vertices\n1 3 boundary 1\n"),
+      "\"torus\" is not supported yet (periodic films)\n"
+      "\"metric\" is not supported yet (Riemannian metrics)\n");
 }
 
 }  // namespace

@@ -79,7 +79,9 @@ std::string film_difference(const Film& a, const Film& b) {
 }
 
 bool is_kept(ElementKind kind, const film::Column& column) {
-  return column.user_defined || datafile::known_column(kind, column.name) != nullptr ||
+  // Parameters on boundaries show in the positions.
+  return column.name == scene::constraint_column || column.name == scene::boundary_column ||
+         column.user_defined || datafile::known_column(kind, column.name) != nullptr ||
          datafile::carried_column(kind, column.name) != nullptr;
 }
 
@@ -137,6 +139,31 @@ std::string body_difference(const scene::Body& a, const scene::Body& b) {
   return same_ramp ? std::string{} : "how its target moves";
 }
 
+std::string texts(const std::array<language::Formula, 3>& components) {
+  return fmt::format("{} | {} | {}", components[0].text(), components[1].text(), components[2].text());
+}
+
+template <class Set>
+std::string integrals(const Set& set) {
+  return fmt::format("energy {} content {}", set.energy ? texts(*set.energy) : "",
+                     set.content ? texts(*set.content) : "");
+}
+
+std::string constraints_of(const scene::Scene& scene) {
+  std::string all =
+      fmt::format("{} {} {}\n", scene.gap_constant,
+                  100 * scene.edge_integral_order + scene.facet_integral_order, scene.interpolate_parameters);
+  for (const auto& [number, set] : scene.level_sets) {
+    all += fmt::format("constraint {} {} {} {} {} {} {} {}\n", number, set.name, static_cast<int>(set.sense),
+                       set.global, set.convex, set.nonwall, set.formula.text(), integrals(set));
+  }
+  for (const auto& [number, boundary] : scene.boundaries) {
+    all += fmt::format("boundary {} {} {} {} {} {}\n", number, boundary.name, boundary.parameters,
+                       boundary.convex, texts(boundary.position), integrals(boundary));
+  }
+  return all;
+}
+
 std::string bodies_difference(const scene::Scene& a, const scene::Scene& b) {
   if (a.bodies.size() != b.bodies.size()) return "the number of bodies";
   std::vector<film::Vertex> rows;  // any id will do
@@ -192,6 +219,7 @@ std::string first_difference(const scene::Scene& a, const scene::Scene& b) {
                                         : compare(x.triangles, y.triangles);
     if (!found.empty()) return found;
   }
+  if (constraints_of(a) != constraints_of(b)) return "constraints or boundaries";
   found = bodies_difference(a, b);
   if (found.empty()) found = settings_difference(a, b);
   if (found.empty() && parameters(a) != parameters(b)) found = "the parameters";

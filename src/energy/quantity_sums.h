@@ -1,0 +1,72 @@
+// Named quantities of a scene as functions of the vertices' positions.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "energy/element_jet.h"
+#include "energy/vertex_star.h"
+#include "scene/scene.h"
+
+namespace lamella::energy {
+
+// Where second derivatives go: d2/d(u)d(v), once for each pair of vertices in whatever order, and for u = v.
+class HessianSink {
+ public:
+  virtual ~HessianSink() = default;
+  virtual void add(std::uint32_t u, std::uint32_t v, const Mat3& block) = 0;
+};
+
+// One quantity. Which elements it has, with their orientations and attributes, is found once; formulas point
+// into the scene's quantities, which must live on and be bound.
+class QuantitySum {
+ public:
+  // `positions` are those at which walls are taken for mirrors.
+  QuantitySum(const scene::Scene& scene, const scene::Quantity& quantity, std::span<const Vec3> positions);
+
+  double value(std::span<const Vec3> positions, double time) const;
+  // Adds `factor` times the gradient to a row for each vertex; returns the value.
+  double add_gradient(std::span<const Vec3> positions, double time, double factor,
+                      std::span<Vec3> gradient) const;
+  // False where a method has no second derivatives here (those of stars of vertices).
+  bool has_hessian() const { return stars_.empty(); }
+  void add_hessian(std::span<const Vec3> positions, double time, double factor, HessianSink& sink) const;
+
+  // The vertices on which it depends, ascending.
+  std::vector<std::uint32_t> support() const;
+
+ private:
+  struct Element {
+    std::array<film::Vertex, 3> corners;
+    double factor = 1;
+    std::uint32_t first_attribute = 0;  // of a row in attributes_
+  };
+  struct Part {
+    const scene::MethodInstance* instance = nullptr;
+    std::size_t corners = 1;
+    std::vector<Element> elements;
+    std::vector<double> attributes;  // that the formulas read, element after element
+  };
+  struct Star {
+    VertexStar star;
+    scene::Method method = scene::Method::sq_mean_curvature;
+    double factor = 1;
+  };
+
+  void collect(const scene::Scene& scene, const scene::Quantity& quantity,
+               const scene::MethodInstance& instance, std::span<const Vec3> positions);
+  ElementJet jet(const Part& part, const Element& element, std::span<const Vec3> positions, double time,
+                 Order order) const;
+
+  std::vector<Part> parts_;
+  std::vector<Star> stars_;
+  int edge_order_ = 3;
+  int facet_order_ = 6;
+  double constant_ = 0;
+};
+
+// The value of the scene's quantity in this row, as things stand.
+double quantity_value(const scene::Scene& scene, std::size_t row);
+
+}  // namespace lamella::energy
