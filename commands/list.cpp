@@ -13,6 +13,10 @@ struct ListOptions {
 void list_variables(Session& session) {
   const language::Variables& variables = session.scene().variables;
   variables.for_each([&](language::VariableId id, const language::Variable& variable) {
+    if (variable.is_array()) {
+      session.print("{} real[{}]\n", variables.name(id), fmt::join(variable.array.shape, "]["));
+      return;
+    }
     const double* const number = std::get_if<double>(&variable.value);
     const std::string value = number != nullptr
                                   ? fmt::format("{:.15g}", *number)

@@ -53,6 +53,8 @@ class ExpressionParser {
   Generator generator(bool attribute_follows = false);
   // The clause `where condition`, if it is there.
   void where_clause(Generator& generator);
+  // The indices that follow an array's name.
+  std::vector<ExpressionPointer> array_indices(text::Place& place);
   // The attribute of an element of this kind that is named next.
   AttributeUse attribute(ElementPath of);
 
@@ -78,7 +80,8 @@ class ExpressionParser {
   ExpressionPointer parentheses();
   ExpressionPointer string();
   ExpressionPointer call(const Function& function);
-  ExpressionPointer user_call(std::size_t parameters);
+  ExpressionPointer user_call(const Arity& arity);
+  ExpressionPointer variable(VariableId id);
   ExpressionPointer aggregate(AggregateKind kind);
   ExpressionPointer special_call();
   ExpressionPointer attribute_of_element();

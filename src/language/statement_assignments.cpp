@@ -12,8 +12,10 @@ namespace lamella::language {
 namespace {
 
 std::optional<AssignmentKind> assignment_kind(const Token& token) {
-  constexpr std::array<std::pair<std::string_view, AssignmentKind>, 5> symbols = {
+  constexpr std::array<std::pair<std::string_view, AssignmentKind>, 7> symbols = {
       {{":=", AssignmentKind::set},
+       {"::=", AssignmentKind::set},
+       {":::=", AssignmentKind::set},
        {"+=", AssignmentKind::add},
        {"-=", AssignmentKind::subtract},
        {"*=", AssignmentKind::multiply},
@@ -31,7 +33,8 @@ StatementPointer StatementParser::assignment() {
   if (tokens_.peek().is_symbol("++") || tokens_.peek().is_symbol("--")) {
     return step(name, name.place, tokens_.take().text == "++");
   }
-  const bool plain = tokens_.peek().is_symbol(":=");
+  const bool permanent = tokens_.peek().is_symbol("::=") || tokens_.peek().is_symbol(":::=");
+  const bool plain = tokens_.peek().is_symbol(":=") || permanent;
   if (plain && scope_.locals().find(name.text) == nullptr) {
     const std::uint32_t mark = tokens_.mark();
     tokens_.take();
@@ -71,7 +74,8 @@ StatementPointer StatementParser::assign_name(const Token& name) {
     throw text::Error(name.place, fmt::format("\"{}\" is a procedure", name.text),
                       "choose another name for the value");
   }
-  if (!tokens_.peek().is_symbol(":=") && !scope_.variable(name.text)) {
+  const bool plain = *assignment_kind(tokens_.peek()) == AssignmentKind::set;
+  if (!plain && !scope_.variable(name.text)) {
     throw text::Error(name.place, fmt::format("\"{}\" is not defined", name.text),
                       suggest_name(name.text, scope_));
   }
@@ -85,18 +89,28 @@ StatementPointer StatementParser::assign_name(const Token& name) {
 // `:= value` and the like, the target still open.
 Assignment StatementParser::assigned_value() {
   Assignment result;
+  result.permanent = tokens_.peek().text.starts_with("::");
   result.kind = *assignment_kind(tokens_.take());
   skip_lines();
   result.value = expression();
   return result;
 }
 
-StatementPointer StatementParser::assign_to(
-    std::variant<VariableId, LocalId, InternalId, AttributeUse> target) {
+StatementPointer StatementParser::assign_to(AssignmentTarget target) {
   const text::Place place = tokens_.peek().place;
   Assignment result = assigned_value();
   result.target = std::move(target);
   return make_statement(std::move(result), place);
+}
+
+// costs[2][3] := value
+StatementPointer StatementParser::array_assignment() {
+  const Token name = tokens_.take();
+  ArrayUse target{*scope_.variable(name.text), {}};
+  text::Place place = name.place;
+  target.indices = expressions().array_indices(place);
+  if (!assignment_kind(tokens_.peek())) unexpected("\":=\"");
+  return assign_to(std::move(target));
 }
 
 // name++ or --name

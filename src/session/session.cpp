@@ -9,6 +9,7 @@
 #include "session/interrupt.h"
 #include "session/machine.h"
 #include "session/progress.h"
+#include "session/show_filter.h"
 #include "session/terminal.h"
 #include "text/whole_file.h"
 
@@ -65,6 +66,7 @@ struct Session::State {
   std::string last_error;
   bool quiet = false;
   bool quit = false;
+  bool loading = false;
   long undo_request = 0;
   int reads = 0;
 };
@@ -93,6 +95,9 @@ bool Session::quiet() const {
 }
 void Session::set_quiet(bool quiet) {
   state_->quiet = quiet;
+}
+bool Session::is_loading() const {
+  return state_->loading;
 }
 Output& Session::output() {
   return state_->output;
@@ -323,12 +328,55 @@ void Session::load(const std::string& path) {
   for (const text::Diagnostic& warning : result.warnings) warn(warning);
   state_->scene = std::move(result.scene);
   state_->counters.clear();
+  show_only(*this, {});
   seed_random(first_seed);
-  for (const text::Place& declaration : result.procedures) run_within(declaration);
-  for (const text::Place& commands : result.read_section) run_within(commands);
+  const bool outer = std::exchange(state_->loading, true);
+  long left_out = 0;
+  for (const text::Place& declaration : result.procedures) left_out += run_leniently(declaration);
+  for (const text::Place& commands : result.read_section) left_out += run_leniently(commands);
+  state_->loading = outer;
   const film::Film& film = state_->scene.film;
   tell("{}: {} vertices, {} edges, {} facets, {} bodies\n", path, film.vertex_count(), film.edge_count(),
        film.triangle_count(), scene::body_count(state_->scene));
+  if (left_out > 0)
+    tell("{} of the commands at its end {} left out\n", left_out, left_out == 1 ? "was" : "were");
+}
+
+// A statement that fails leaves the scene as it was.
+long Session::run_leniently(const text::Place& part) {
+  long failed = 0;
+  const auto leave_out = [&](const text::Error& error) {
+    for (text::Diagnostic told : error.diagnostics()) {
+      told.severity = text::Severity::warning;
+      warn(told);
+    }
+    ++failed;
+  };
+  LexerStream tokens(Lexer(part, LexerMode::command));
+  StatementParser parser(tokens, state_->names);
+  for (bool more = true; more;) {
+    const std::uint32_t begin = tokens.previous_end();
+    Batch batch;
+    try {
+      batch = parse_batch(parser, state_->names);
+    } catch (const text::Error& error) {
+      leave_out(error);
+      tokens.rewind(begin);
+      parser.skip_statement_line();
+      continue;
+    }
+    for (const Batch::Statement& statement : batch.statements) {
+      const scene::Scene before = state_->scene;
+      try {
+        language::execute(*statement.block, state_->machine, state_->machine.evaluation());
+      } catch (const text::Error& error) {
+        state_->scene = before;
+        leave_out(error);
+      }
+    }
+    more = !batch.at_end;
+  }
+  return failed;
 }
 
 bool Session::is_complete(const text::Place& part) {

@@ -99,8 +99,11 @@ class Session {
   void run_within(const text::Place& part);
   void run_within(const language::Block& commands);
   void read(const std::string& path);
-  // Replaces the scene by a datafile's and runs the commands at its end.
+  // Replaces the scene by a datafile's and runs the commands at its end. What fails among these is told and
+  // left out; the rest runs.
   void load(const std::string& path);
+  // Whether the commands at the end of a datafile run: what opens windows elsewhere does nothing then.
+  bool is_loading() const;
   // Whether nothing is missing at the text's end: a brace, a quote, an operand.
   bool is_complete(const text::Place& part);
 
@@ -117,6 +120,8 @@ class Session {
   std::any& memory_of(std::type_index type);
   Outcome run_statement(const language::Block& statement, const std::string& text);
   void apply_requested_undo();
+  // Returns how many statements failed.
+  long run_leniently(const text::Place& part);
 
   std::unique_ptr<State> state_;
 };
