@@ -1,8 +1,7 @@
-#include "surgery/average.h"
-
 #include "scene/constraint_sets.h"
 #include "session/session.h"
 #include "solve/problem.h"
+#include "surgery/smooth.h"
 
 namespace lamella::session::commands {
 
@@ -34,8 +33,11 @@ void restore_volumes(scene::Scene& scene, const energy::Measures& before) {
 void average_some(Session& session, const Elements& vertices) {
   if (vertices.kind != language::ElementKind::vertex)
     throw text::Error("only vertices can be averaged", "vertex_average vertices where valence > 6");
-  for (const language::Element& vertex : vertices.list)
-    surgery::average_vertex(session.scene().film, film::Vertex(vertex.row));
+  for (const language::Element& vertex : vertices.list) {
+    film::Film& film = session.scene().film;
+    const film::Vertex v(vertex.row);
+    film.move(v, film.position(v) + surgery::averaging_move(film, v, surgery::Averaging::keep_volume));
+  }
 }
 
 void run(Session& session, const AverageOptions& options) {
@@ -47,7 +49,7 @@ void run(Session& session, const AverageOptions& options) {
     if (options.vertices) {
       average_some(session, *options.vertices);
     } else {
-      surgery::average_vertices(scene.film);
+      surgery::smooth_vertices(scene.film, surgery::Averaging::keep_volume);
     }
     scene::constrain_vertices(scene);
     if (scene.keep_volumes && scene.has_fixed_volume()) restore_volumes(scene, before);

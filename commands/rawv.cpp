@@ -1,5 +1,5 @@
 #include "session/mesh_commands.h"
-#include "surgery/average.h"
+#include "surgery/smooth.h"
 
 namespace lamella::session::commands {
 
@@ -17,10 +17,12 @@ void run(Session& session, const RawvOptions& options) {
     throw text::Error("only vertices can be averaged", "raw_vertex_average vertices where valence > 6");
   for (long i = 0; i < options.times && !session.monitor().stop_requested(); ++i) {
     if (!options.vertices) {
-      surgery::average_vertices(film);
+      surgery::smooth_vertices(film, surgery::Averaging::free);
     } else {
-      for (const language::Element& vertex : options.vertices->list)
-        surgery::average_vertex(film, film::Vertex(vertex.row));
+      for (const language::Element& vertex : options.vertices->list) {
+        const film::Vertex v(vertex.row);
+        film.move(v, film.position(v) + surgery::averaging_move(film, v, surgery::Averaging::free));
+      }
     }
     finish_surgery(session);
     if (!options.vertices) session.tell("Vertex averaging done.\n");

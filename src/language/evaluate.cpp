@@ -58,6 +58,9 @@ struct Evaluator {
     const int component = evaluate_component(node.indices, array->shape, place, evaluation);
     return array->values[static_cast<std::size_t>(component)];
   }
+  Value operator()(const ArrayLiteral&) const {
+    throw text::Error(place, "an array is no number", "assign it to an array");
+  }
   Value operator()(const LocalUse& node) const { return local_value(evaluation.local(node.id)); }
   Value operator()(const InternalUse& node) const {
     return placed(place, [&] { return environment().internal(node.id); });
@@ -315,11 +318,32 @@ std::optional<Array> variable_array(VariableId id, std::span<const ExpressionPoi
   return Array{std::move(part.shape), {begin, begin + static_cast<std::ptrdiff_t>(part.count)}};
 }
 
+Array literal_array(const ArrayLiteral& literal, Evaluation& evaluation) {
+  Array result{{static_cast<int>(literal.items.size())}, {}};
+  std::vector<int> row_shape;
+  for (std::size_t i = 0; i < literal.items.size(); ++i) {
+    const Expression& item = *literal.items[i];
+    const std::optional<Array> row = evaluate_array(item, evaluation);
+    const std::vector<int> shape = row ? row->shape : std::vector<int>{};
+    if (i > 0 && shape != row_shape) throw text::Error(item.place, "the rows of this array differ in length");
+    row_shape = shape;
+    if (row) {
+      result.values.insert(result.values.end(), row->values.begin(), row->values.end());
+    } else {
+      result.values.push_back(evaluate_number(item, evaluation));
+    }
+  }
+  result.shape.insert(result.shape.end(), row_shape.begin(), row_shape.end());
+  return result;
+}
+
 }  // namespace
 
 std::optional<Array> evaluate_array(const Expression& expression, Evaluation& evaluation) {
   if (const VariableUse* const use = std::get_if<VariableUse>(&expression.node))
     return variable_array(use->id, {}, expression.place, evaluation);
+  if (const ArrayLiteral* const literal = std::get_if<ArrayLiteral>(&expression.node))
+    return literal_array(*literal, evaluation);
   if (const ArrayUse* const use = std::get_if<ArrayUse>(&expression.node))
     return variable_array(use->id, use->indices, expression.place, evaluation);
   const AttributeUse* const use = std::get_if<AttributeUse>(&expression.node);

@@ -97,6 +97,10 @@ struct Text {
 struct VariableUse {
   VariableId id;
 };
+// {1, 2, 3} or {{1, 2}, {3, 4}}: only as what is assigned to an array.
+struct ArrayLiteral {
+  std::vector<ExpressionPointer> items;
+};
 struct LocalUse {
   LocalId id;
 };
@@ -172,8 +176,9 @@ struct ValidElement {
 };
 
 struct Expression {
-  std::variant<Number, Text, VariableUse, ArrayUse, LocalUse, InternalUse, AttributeUse, Unary, Chain,
-               Comparison, Conditional, Call, UserCall, Aggregate, Format, IsDefined, SizeOf, ValidElement>
+  std::variant<Number, Text, VariableUse, ArrayUse, ArrayLiteral, LocalUse, InternalUse, AttributeUse, Unary,
+               Chain, Comparison, Conditional, Call, UserCall, Aggregate, Format, IsDefined, SizeOf,
+               ValidElement>
       node;
   text::Place place;
 };

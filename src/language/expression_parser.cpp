@@ -409,6 +409,18 @@ ExpressionPointer ExpressionParser::variable(VariableId id) {
   return make(std::move(use), place);
 }
 
+ExpressionPointer ExpressionParser::array_literal() {
+  const Level level(*this);
+  const Token opener = tokens_.take();
+  const Enclosed enclosed(*this);
+  ArrayLiteral result;
+  do {
+    result.items.push_back(tokens_.peek().is_symbol("{") ? array_literal() : expression());
+  } while (accept_comma());
+  text::Place place = join(opener.place, close("}", opener));
+  return make(std::move(result), std::move(place));
+}
+
 std::vector<ExpressionPointer> ExpressionParser::array_indices(text::Place& place) {
   std::vector<ExpressionPointer> indices;
   while (tokens_.peek().is_symbol("[")) indices.push_back(bracketed_index(place));

@@ -55,6 +55,8 @@ class ExpressionParser {
   void where_clause(Generator& generator);
   // The indices that follow an array's name.
   std::vector<ExpressionPointer> array_indices(text::Place& place);
+  // Numbers in braces, which come next.
+  ExpressionPointer array_literal();
   // The attribute of an element of this kind that is named next.
   AttributeUse attribute(ElementPath of);
 

@@ -137,11 +137,14 @@ void Runner::assign_array(const Assignment& node, VariableId id, std::span<const
                           const Array& array) {
   const ArrayPart part = evaluate_part(indices, array.shape, node.value->place, evaluation_);
   const std::optional<Array> values = evaluate_array(*node.value, evaluation_);
-  if (values && values->shape != part.shape)
+  // Of a list of numbers, there may be fewer or more than there is room for.
+  const bool list = values && values->shape.size() == 1 && part.shape.size() == 1;
+  if (values && values->shape != part.shape && !list)
     throw text::Error(node.value->place, "this array has other dimensions than the one it goes to");
   if (values && node.kind != AssignmentKind::set)
     throw text::Error(node.value->place, "arrays are counted with number by number");
-  for (std::size_t i = 0; i < part.count; ++i) {
+  const std::size_t count = values ? std::min(part.count, values->values.size()) : part.count;
+  for (std::size_t i = 0; i < count; ++i) {
     const int component = static_cast<int>(part.first + i);
     const Value value = values ? Value(values->values[i]) : new_value(node, {}, component);
     const double* const number = std::get_if<double>(&value);
@@ -159,6 +162,12 @@ Flow Runner::run(const Assignment& node) {
   }
   if (const auto* id = std::get_if<VariableId>(&node.target); id != nullptr && host_.array(*id) != nullptr) {
     if (node.kind != AssignmentKind::set) throw text::Error("arrays are counted with number by number");
+    assign_array(node, *id, {}, *host_.array(*id));
+    return {};
+  }
+  if (const auto* id = std::get_if<VariableId>(&node.target);
+      id != nullptr && std::holds_alternative<ArrayLiteral>(node.value->node)) {
+    host_.set_shape(*id, evaluate_array(*node.value, evaluation_)->shape);
     assign_array(node, *id, {}, *host_.array(*id));
     return {};
   }

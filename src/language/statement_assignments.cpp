@@ -39,10 +39,40 @@ StatementPointer StatementParser::assignment() {
     const std::uint32_t mark = tokens_.mark();
     tokens_.take();
     skip_lines();
-    if (tokens_.peek().is_symbol("{") || value_is_command()) return procedure_definition(name);
+    const bool block = tokens_.peek().is_symbol("{") && !at_array_literal();
+    if (block || value_is_command()) return procedure_definition(name);
     tokens_.rewind(mark);
   }
   return assign_name(name);
+}
+
+// Whether braces hold numbers: no command begins with one.
+bool StatementParser::at_array_literal() {
+  std::size_t ahead = 0;
+  while (tokens_.peek(ahead).is_symbol("{")) ++ahead;
+  const Token& first = tokens_.peek(ahead);
+  return ahead > 0 && (first.is(TokenKind::number) || first.is_symbol("-") || first.is_symbol("("));
+}
+
+// `set background white` is background := white.
+bool StatementParser::at_named_setting() {
+  const Token& name = tokens_.peek(1);
+  return tokens_.peek().is_word("set") && name.is(TokenKind::word) && !element_kind(name.text) &&
+         (scope_.variable(name.text) || scope_.internal(name.text));
+}
+
+StatementPointer StatementParser::named_setting() {
+  const text::Place place = tokens_.take().place;
+  const Token name = tokens_.take();
+  Assignment result;
+  if (tokens_.peek().is_symbol(":=")) tokens_.take();
+  result.value = expression();
+  if (const auto variable = scope_.variable(name.text)) {
+    result.target = *variable;
+  } else {
+    result.target = *scope_.internal(name.text);
+  }
+  return make_statement(std::move(result), place);
 }
 
 // Whether what follows `name :=` is a command, as in `gg := g 10`: its word means no value.
@@ -92,7 +122,7 @@ Assignment StatementParser::assigned_value() {
   result.permanent = tokens_.peek().text.starts_with("::");
   result.kind = *assignment_kind(tokens_.take());
   skip_lines();
-  result.value = expression();
+  result.value = tokens_.peek().is_symbol("{") ? expressions().array_literal() : expression();
   return result;
 }
 

@@ -278,6 +278,8 @@ StatementPointer StatementParser::word_statement() {
   if (expressions().at_elements()) return attribute_assignment();
   if (after.starts_with("[") && scope_.variable(tokens_.peek().text)) return array_assignment();
   if (scope_.procedure(tokens_.peek().text)) return procedure_call();
+  if (at_named_setting()) return named_setting();
+  if (at_global_definition()) return refused("constraints, boundaries and quantities stand in the datafile");
   if (scope_.is_command(tokens_.peek().text)) {
     const text::Place place = tokens_.peek().place;
     return make_statement(CommandStatement{scope_.parse_command(tokens_)}, place);
@@ -314,6 +316,13 @@ StatementPointer StatementParser::refused(std::string_view reason) {
   }
   return make_statement(RefusedCommand{fmt::format("{} is not supported: {}", word.text, reason)},
                         word.place);
+}
+
+bool StatementParser::at_global_definition() {
+  if (!tokens_.peek().is_word("define")) return false;
+  const Token& what = tokens_.peek(1);
+  return what.is_word("constraint") || what.is_word("boundary") || what.is_word("quantity") ||
+         what.is_word("method_instance");
 }
 
 // `g5` is g 5, though `g` and the number stick together.

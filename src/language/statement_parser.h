@@ -59,6 +59,10 @@ class StatementParser {
   StatementPointer assignment();
   StatementPointer assign_to(AssignmentTarget target);
   StatementPointer array_assignment();
+  bool at_array_literal();
+  bool at_named_setting();
+  bool at_global_definition();
+  StatementPointer named_setting();
   StatementPointer refused(std::string_view reason);
   StatementPointer letter_with_count();
   bool is_letter_with_count(const Token& word) const;

@@ -89,6 +89,10 @@ void Machine::make_permanent(language::VariableId id) {
   session_.scene().variables.mark_permanent(id);
 }
 
+void Machine::set_shape(language::VariableId id, const std::vector<int>& shape) {
+  session_.scene().variables.set_shape(id, shape);
+}
+
 void Machine::assign(language::VariableId id, std::size_t component, double value) {
   session_.scene().variables.set_component(id, component, value);
 }

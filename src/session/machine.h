@@ -32,6 +32,7 @@ class Machine : public language::Host {
   // --- changes
   void assign(language::VariableId id, language::Value value) override;
   void make_permanent(language::VariableId id) override;
+  void set_shape(language::VariableId id, const std::vector<int>& shape) override;
   void assign(language::VariableId id, std::size_t component, double value) override;
   void assign(language::InternalId id, const language::Value& value) override;
   void assign(language::AttributeId id, const language::Element& element, int component,

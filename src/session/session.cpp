@@ -10,6 +10,7 @@
 #include "session/machine.h"
 #include "session/progress.h"
 #include "session/show_filter.h"
+#include "session/switches.h"
 #include "session/terminal.h"
 #include "text/whole_file.h"
 
@@ -329,6 +330,7 @@ void Session::load(const std::string& path) {
   state_->scene = std::move(result.scene);
   state_->counters.clear();
   show_only(*this, {});
+  reset_switches(*this);
   seed_random(first_seed);
   const bool outer = std::exchange(state_->loading, true);
   long left_out = 0;

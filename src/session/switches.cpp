@@ -217,6 +217,10 @@ bool is_on(Session& session, const Switch& known) {
   return at == states.end() ? known.initial : at->second;
 }
 
+void reset_switches(Session& session) {
+  session.memory<KeptStates>().states.clear();
+}
+
 void turn(Session& session, const Switch& known, bool on) {
   if (known.set != nullptr) {
     known.set(session, on);

@@ -28,6 +28,8 @@ std::span<const Switch> switches();
 // Null if there is none. Letters by case, words without.
 const Switch* find_switch(std::string_view word);
 bool is_on(Session& session, const Switch& known);
+// As they are when a scene is loaded; what belongs to the scene, or to the session, stays.
+void reset_switches(Session& session);
 // Throws text::Error where the switch is refused.
 void turn(Session& session, const Switch& known, bool on);
 

@@ -31,38 +31,6 @@ Vec3 move_along_line(const Vec3& at, const Vec3& before, const Vec3& after) {
   return dot(wanted, tangent) * tangent;
 }
 
-// Toward the area-weighted mean of the centroids of the facets around, within the film.
-Vec3 move_in_film(const Film& film, Vertex v) {
-  double total = 0;
-  Vec3 moment;
-  Vec3 normal;
-  const Vec3& at = film.position(v);
-  film.for_each_end(v, [&](film::EdgeEnd end) {
-    film.for_each_side(end.edge(), [&](film::Side s) {
-      if (film.tail(film.edge_of(s)) != v) return;
-      const auto& c = film.corners(s.triangle());
-      const Vec3 twice =
-          energy::double_area_vector(film.position(c[0]), film.position(c[1]), film.position(c[2]));
-      const double area = 0.5 * length(twice);
-      total += area;
-      moment += area * ((film.position(c[0]) + film.position(c[1]) + film.position(c[2])) / 3 - at);
-      normal += dot(twice, normal) < 0 ? -twice : twice;
-    });
-  });
-  if (total == 0) return {};
-  const Vec3 wanted = moment / total;
-  const Vec3 n = unit(normal);
-  return wanted - dot(wanted, n) * n;
-}
-
-Vec3 wanted_move(const Film& film, Vertex v) {
-  const film::VertexPlace place = film::place_of(film, v);
-  if (place.kind == film::PlaceKind::inside) return move_in_film(film, v);
-  if (place.kind == film::PlaceKind::corner || !film.first_side(film.first_end(v).edge()).valid()) return {};
-  return move_along_line(film.position(v), film.position(place.neighbours[0]),
-                         film.position(place.neighbours[1]));
-}
-
 // Sums over the facets around each vertex: area, and area times centroid (from the vertex).
 struct Star {
   double area = 0;
@@ -141,36 +109,7 @@ bool tame(const Film& film, std::vector<Vec3>& moves, double factor) {
   return none;
 }
 
-// Whether all facets around a vertex survive a move of it.
-bool all_survive(const Film& film, Vertex v, const Vec3& move) {
-  bool all = true;
-  film.for_each_end(v, [&](film::EdgeEnd end) {
-    film.for_each_side(end.edge(), [&](film::Side s) {
-      std::array<Vec3, 3> from;
-      std::array<Vec3, 3> to;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vertex corner = film.corners(s.triangle())[k];
-        from[k] = film.position(corner);
-        to[k] = corner == v ? from[k] + move : from[k];
-      }
-      all = all && survives(from, to);
-    });
-  });
-  return all;
-}
-
 }  // namespace
-
-bool average_vertex(Film& film, Vertex v) {
-  const auto fixed = film.columns(ElementKind::vertex).flags("fixed");
-  if (!film.first_end(v).valid() || (!fixed.empty() && fixed[v.index] != 0)) return false;
-  Vec3 move = wanted_move(film, v);
-  int halvings = 0;
-  for (; !all_survive(film, v, move) && halvings < most_halvings; ++halvings) move *= 0.5;
-  if (halvings == most_halvings || move == Vec3{}) return false;
-  film.move(v, film.position(v) + move);
-  return true;
-}
 
 std::uint32_t average_vertices(Film& film) {
   std::vector<Vec3> moves = wanted_moves(film);

@@ -15,7 +15,4 @@ namespace lamella::surgery {
 // Returns the number of vertices moved.
 std::uint32_t average_vertices(film::Film& film);
 
-// The same for one vertex alone. False if it stays.
-bool average_vertex(film::Film& film, film::Vertex v);
-
 }  // namespace lamella::surgery
