@@ -25,11 +25,13 @@ std::vector<int> shape_of(Session& session, const Definition& definition) {
 }
 
 void define_variable(Session& session, const Definition& definition) {
-  if (!definition.sizes.empty()) {
-    throw text::Error(definition.place, "arrays are attributes of elements only",
-                      "as in: define vertex attribute heat real[3]");
-  }
   language::Variables& variables = session.scene().variables;
+  if (!definition.sizes.empty()) {
+    if (definition.type == "string")
+      throw text::Error(definition.place, "arrays hold numbers: real or integer");
+    variables.set_shape(variables.id(definition.name), shape_of(session, definition));
+    return;
+  }
   if (variables.find(definition.name) != nullptr) return;
   const language::Value blank =
       definition.type == "string" ? language::Value(std::string()) : language::Value(0.0);

@@ -26,6 +26,7 @@ void run(Session& session, const HelpOptions& options) {
 
 extern const Command help_command =
     make_command<HelpOptions>({.name = "help",
+                               .aliases = {"h", "H"},
                                .summary = "list the commands, or tell about one, or about any name",
                                .group = CommandGroup::session},
                               {positional("topic", &HelpOptions::topic,

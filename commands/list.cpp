@@ -1,3 +1,4 @@
+#include "datafile/write.h"
 #include "session/listing.h"
 #include "session/session.h"
 
@@ -13,6 +14,10 @@ struct ListOptions {
 void list_variables(Session& session) {
   const language::Variables& variables = session.scene().variables;
   variables.for_each([&](language::VariableId id, const language::Variable& variable) {
+    if (variable.is_array()) {
+      session.print("{} real[{}]\n", variables.name(id), fmt::join(variable.array.shape, "]["));
+      return;
+    }
     const double* const number = std::get_if<double>(&variable.value);
     const std::string value = number != nullptr
                                   ? fmt::format("{:.15g}", *number)
@@ -42,6 +47,15 @@ void list_attributes(Session& session) {
   }
 }
 
+// What stands before, or after, the elements in the scene's datafile.
+void list_part(Session& session, bool top) {
+  const std::string text = datafile::write_datafile(session.scene());
+  const std::size_t elements = text.find("\nvertices");
+  const std::size_t read = text.find("\nread\n", elements);
+  if (top && elements != std::string::npos) session.write(text.substr(0, elements + 1));
+  if (!top && read != std::string::npos) session.write(text.substr(read + 1));
+}
+
 void run(Session& session, const ListOptions& options) {
   if (options.elements) {
     session.write(listing(session.attribute_source(), *options.elements));
@@ -51,6 +65,8 @@ void run(Session& session, const ListOptions& options) {
     list_procedures(session);
   } else if (options.what == "attributes") {
     list_attributes(session);
+  } else if (options.what == "topinfo" || options.what == "bottominfo") {
+    list_part(session, options.what == "topinfo");
   } else {
     throw text::Error("list needs to know what",
                       "as in: list vertices where fixed, list facet[3], list variables");
@@ -63,7 +79,7 @@ extern const Command list_command = make_command<ListOptions>(
     {.name = "list", .summary = "show elements as lines of a datafile", .group = CommandGroup::output},
     {positional("elements", &ListOptions::elements, "vertices, edges, facets or bodies"),
      positional("what", &ListOptions::what, "what else there is to list")
-         .one_of({"variables", "procedures", "attributes"})},
+         .one_of({"variables", "procedures", "attributes", "topinfo", "bottominfo"})},
     run);
 
 }  // namespace lamella::session::commands

@@ -33,6 +33,8 @@ picture::PictureOptions wanted_picture(Session& session, const ShowOptions& opti
 }
 
 void run(Session& session, const ShowOptions& options) {
+  // A datafile that opens a window when it is loaded wants no file written.
+  if (session.is_loading() && !options.file) return;
   const scene::Scene& scene = session.scene();
   if (scene.empty()) throw text::Error("there is nothing to show", "load a datafile first: load cube.fe");
   const std::string path = options.file ? options.file->path : default_path(scene.name);

@@ -1,6 +1,7 @@
 #include "datafile/write_commands.h"
 
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -44,10 +45,31 @@ std::string heading(const language::Procedure& procedure) {
                      fmt::join(procedure.parameters, ", "));
 }
 
+// Its declaration, and an assignment for each component that is not 0.
+std::string written_array(const std::string& name, const language::Array& array) {
+  std::string out = fmt::format("define {} real[{}]\n", name, fmt::join(array.shape, "]["));
+  for (std::size_t i = 0; i < array.values.size(); ++i) {
+    if (array.values[i] == 0 || !std::isfinite(array.values[i])) continue;
+    std::vector<std::size_t> indices(array.shape.size());
+    std::size_t rest = i;
+    for (std::size_t d = indices.size(); d-- > 0;) {
+      const auto size = static_cast<std::size_t>(array.shape[d]);
+      indices[d] = rest % size + 1;
+      rest /= size;
+    }
+    out += fmt::format("{}[{}] := {}\n", name, fmt::join(indices, "]["), array.values[i]);
+  }
+  return out;
+}
+
 void write_variables(std::string& out, const scene::Scene& scene) {
   const std::set<language::VariableId> read = variables_of_formulas(scene);
   scene.variables.for_each([&](language::VariableId id, const language::Variable& variable) {
     if (variable.parameter || read.contains(id)) return;
+    if (variable.is_array()) {
+      out += written_array(scene.variables.name(id), variable.array);
+      return;
+    }
     const std::string value = written_value(variable.value);
     const std::string& name = scene.variables.name(id);
     out += value.empty() ? fmt::format("// {} was not a finite number\n", name)
@@ -80,6 +102,9 @@ std::string written_value(const language::Value& value) {
 void write_commands(std::string& out, const scene::Scene& scene) {
   std::string commands;
   if (!scene.gravity.on) commands += "gravity off\n";
+  if (!scene.view_transforms.expression.empty())
+    commands += fmt::format("transform_expr {}\n", quoted(scene.view_transforms.expression));
+  if (scene.view_transforms.on) commands += "transforms on\n";
   write_variables(commands, scene);
   write_procedures(commands, scene);
   if (!commands.empty()) out += "\nread\n\n" + commands;

@@ -52,6 +52,15 @@ struct Evaluator {
   Value operator()(const VariableUse& node) const {
     return placed(place, [&] { return environment().variable(node.id); });
   }
+  Value operator()(const ArrayUse& node) const {
+    const Array* const array = environment().array(node.id);
+    if (array == nullptr) throw text::Error(place, "this is no array: it takes no index");
+    const int component = evaluate_component(node.indices, array->shape, place, evaluation);
+    return array->values[static_cast<std::size_t>(component)];
+  }
+  Value operator()(const ArrayLiteral&) const {
+    throw text::Error(place, "an array is no number", "assign it to an array");
+  }
   Value operator()(const LocalUse& node) const { return local_value(evaluation.local(node.id)); }
   Value operator()(const InternalUse& node) const {
     return placed(place, [&] { return environment().internal(node.id); });
@@ -172,10 +181,12 @@ class Constants : public Environment {
     if (variable == nullptr) throw text::Error(fmt::format("\"{}\" is not defined", variables_.name(id)));
     return variable->value;
   }
+  const Array* array(VariableId) override { return nullptr; }
   Value internal(InternalId) override { refuse(); }
   double attribute(AttributeId, const Element&, int) override { refuse(); }
   bool is_defined(std::string_view name) override { return variables_.find(name) != nullptr; }
   std::shared_ptr<const std::vector<Element>> elements(ElementKind) override { refuse(); }
+  bool exists(const Element&) override { refuse(); }
   std::optional<Element> numbered(ElementKind, double) override { refuse(); }
   std::vector<Element> parts(const Element&, ElementKind) override { refuse(); }
   Value call(const std::string&, std::span<const Value>) override { refuse(); }
@@ -260,44 +271,89 @@ Element evaluate_element(const ElementPath& path, Evaluation& evaluation) {
   return element;
 }
 
-int evaluate_component(const AttributeUse& use, Evaluation& evaluation) {
-  if (use.indices.size() < use.shape.size()) {
-    throw text::Error(use.element.place, "this is an array: name the component, as in [1]");
+ArrayPart evaluate_part(std::span<const ExpressionPointer> indices, const std::vector<int>& shape,
+                        const text::Place& place, Evaluation& evaluation) {
+  if (indices.size() > shape.size()) {
+    throw text::Error(place, fmt::format("an array of {} dimension{} takes no {} indices", shape.size(),
+                                         shape.size() == 1 ? "" : "s", indices.size()));
   }
-  int component = 0;
-  for (std::size_t i = 0; i < use.shape.size(); ++i) {
-    const double index = std::floor(evaluate_number(*use.indices[i], evaluation));
-    if (!(index >= 1 && index <= use.shape[i])) {
-      throw text::Error(use.indices[i]->place,
-                        fmt::format("index {:.15g} is not between 1 and {}", index, use.shape[i]));
+  ArrayPart part;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const auto size = static_cast<std::size_t>(shape[i]);
+    part.first *= size;
+    if (i >= indices.size()) {
+      part.shape.push_back(shape[i]);
+      part.count *= size;
+      continue;
     }
-    component = component * use.shape[i] + static_cast<int>(index) - 1;
+    const double index = std::floor(evaluate_number(*indices[i], evaluation));
+    if (!(index >= 1 && index <= shape[i])) {
+      throw text::Error(indices[i]->place,
+                        fmt::format("index {:.15g} is not between 1 and {}", index, shape[i]));
+    }
+    part.first += static_cast<std::size_t>(index) - 1;
   }
-  return component;
+  return part;
 }
 
+int evaluate_component(std::span<const ExpressionPointer> indices, const std::vector<int>& shape,
+                       const text::Place& place, Evaluation& evaluation) {
+  if (indices.size() < shape.size())
+    throw text::Error(place, "this is an array: name the component, as in [1]");
+  return static_cast<int>(evaluate_part(indices, shape, place, evaluation).first);
+}
+
+int evaluate_component(const AttributeUse& use, Evaluation& evaluation) {
+  return evaluate_component(use.indices, use.shape, use.element.place, evaluation);
+}
+
+namespace {
+
+std::optional<Array> variable_array(VariableId id, std::span<const ExpressionPointer> indices,
+                                    const text::Place& place, Evaluation& evaluation) {
+  const Array* const array = evaluation.environment().array(id);
+  if (array == nullptr || indices.size() >= array->shape.size()) return std::nullopt;
+  ArrayPart part = evaluate_part(indices, array->shape, place, evaluation);
+  const auto begin = array->values.begin() + static_cast<std::ptrdiff_t>(part.first);
+  return Array{std::move(part.shape), {begin, begin + static_cast<std::ptrdiff_t>(part.count)}};
+}
+
+Array literal_array(const ArrayLiteral& literal, Evaluation& evaluation) {
+  Array result{{static_cast<int>(literal.items.size())}, {}};
+  std::vector<int> row_shape;
+  for (std::size_t i = 0; i < literal.items.size(); ++i) {
+    const Expression& item = *literal.items[i];
+    const std::optional<Array> row = evaluate_array(item, evaluation);
+    const std::vector<int> shape = row ? row->shape : std::vector<int>{};
+    if (i > 0 && shape != row_shape) throw text::Error(item.place, "the rows of this array differ in length");
+    row_shape = shape;
+    if (row) {
+      result.values.insert(result.values.end(), row->values.begin(), row->values.end());
+    } else {
+      result.values.push_back(evaluate_number(item, evaluation));
+    }
+  }
+  result.shape.insert(result.shape.end(), row_shape.begin(), row_shape.end());
+  return result;
+}
+
+}  // namespace
+
 std::optional<Array> evaluate_array(const Expression& expression, Evaluation& evaluation) {
+  if (const VariableUse* const use = std::get_if<VariableUse>(&expression.node))
+    return variable_array(use->id, {}, expression.place, evaluation);
+  if (const ArrayLiteral* const literal = std::get_if<ArrayLiteral>(&expression.node))
+    return literal_array(*literal, evaluation);
+  if (const ArrayUse* const use = std::get_if<ArrayUse>(&expression.node))
+    return variable_array(use->id, use->indices, expression.place, evaluation);
   const AttributeUse* const use = std::get_if<AttributeUse>(&expression.node);
   if (use == nullptr || use->indices.size() >= use->shape.size()) return std::nullopt;
   const Element element = evaluate_element(use->element, evaluation);
-  int first = 0;
-  for (std::size_t i = 0; i < use->indices.size(); ++i) {
-    const double index = std::floor(evaluate_number(*use->indices[i], evaluation));
-    if (!(index >= 1 && index <= use->shape[i])) {
-      throw text::Error(use->indices[i]->place,
-                        fmt::format("index {:.15g} is not between 1 and {}", index, use->shape[i]));
-    }
-    first = first * use->shape[i] + static_cast<int>(index) - 1;
-  }
-  Array result;
-  int count = 1;
-  for (std::size_t i = use->indices.size(); i < use->shape.size(); ++i) {
-    result.shape.push_back(use->shape[i]);
-    count *= use->shape[i];
-  }
-  for (int i = 0; i < count; ++i) {
+  ArrayPart part = evaluate_part(use->indices, use->shape, use->element.place, evaluation);
+  Array result{std::move(part.shape), {}};
+  for (std::size_t i = 0; i < part.count; ++i) {
     result.values.push_back(placed(expression.place, [&] {
-      return evaluation.environment().attribute(use->attribute, element, first * count + i);
+      return evaluation.environment().attribute(use->attribute, element, static_cast<int>(part.first + i));
     }));
   }
   return result;
@@ -306,6 +362,7 @@ std::optional<Array> evaluate_array(const Expression& expression, Evaluation& ev
 void for_each_element(const Generator& generator, Evaluation& evaluation,
                       const std::function<bool(const Element&)>& function) {
   const auto visit = [&](const Element& element) {
+    if (!evaluation.environment().exists(element)) return true;
     evaluation.local(generator.slot) = element;
     if (generator.where && !is_true(*generator.where, evaluation)) return true;
     return function(element);

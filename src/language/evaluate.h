@@ -16,12 +16,6 @@ namespace lamella::language {
 // A local value, or the element in turn of a loop.
 using LocalValue = std::variant<double, std::string, Element>;
 
-// Numbers in an array, row by row; the shape {3} is a vector.
-struct Array {
-  std::vector<int> shape;
-  std::vector<double> values;
-};
-
 // Where values come from while expressions are evaluated. Whatever is not there is thrown as text::Error
 // without a place.
 class Environment {
@@ -29,6 +23,8 @@ class Environment {
   virtual ~Environment() = default;
 
   virtual const Value& variable(VariableId id) = 0;
+  // Null if the variable is no array.
+  virtual const Array* array(VariableId id) = 0;
   virtual Value internal(InternalId id) = 0;
   // Of an attribute with a shape: the component in row order.
   virtual double attribute(AttributeId id, const Element& element, int component) = 0;
@@ -36,6 +32,8 @@ class Environment {
 
   // All elements of a kind, in the order of their numbers.
   virtual std::shared_ptr<const std::vector<Element>> elements(ElementKind kind) = 0;
+  // Whether an element listed before is still there.
+  virtual bool exists(const Element& element) = 0;
   // The element of a number that people see (negative: reversed); nothing if there is none.
   virtual std::optional<Element> numbered(ElementKind kind, double number) = 0;
   // The parts of an element, such as the edges of a facet, oriented and in order around it.
@@ -84,11 +82,22 @@ std::string evaluate_text(const Expression& expression, Evaluation& evaluation);
 bool is_true(const Expression& expression, Evaluation& evaluation);
 // A whole number; anything else is refused. `what` names it in the message.
 long evaluate_count(const Expression& expression, Evaluation& evaluation, std::string_view what);
-// An attribute named without its indices: all its numbers. Nothing for other expressions.
+// A variable or attribute that is an array, named with fewer indices than it has dimensions: all its numbers.
+// Nothing for other expressions.
 std::optional<Array> evaluate_array(const Expression& expression, Evaluation& evaluation);
 
 Element evaluate_element(const ElementPath& path, Evaluation& evaluation);
-// Which component an attribute's indices name, in row order.
+// Which component of an array the indices name, in row order.
+int evaluate_component(std::span<const ExpressionPointer> indices, const std::vector<int>& shape,
+                       const text::Place& place, Evaluation& evaluation);
+// The first component that so many indices name, or fewer than there are dimensions, and how many there are.
+struct ArrayPart {
+  std::size_t first = 0;
+  std::size_t count = 1;
+  std::vector<int> shape;  // of the part; empty for a single component
+};
+ArrayPart evaluate_part(std::span<const ExpressionPointer> indices, const std::vector<int>& shape,
+                        const text::Place& place, Evaluation& evaluation);
 int evaluate_component(const AttributeUse& use, Evaluation& evaluation);
 
 // The elements that a generator yields, collected before anything is done with them.

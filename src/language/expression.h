@@ -97,8 +97,17 @@ struct Text {
 struct VariableUse {
   VariableId id;
 };
+// {1, 2, 3} or {{1, 2}, {3, 4}}: only as what is assigned to an array.
+struct ArrayLiteral {
+  std::vector<ExpressionPointer> items;
+};
 struct LocalUse {
   LocalId id;
+};
+// `costs[2][3]`: a variable that is an array. With fewer indices than dimensions it is an array again.
+struct ArrayUse {
+  VariableId id;
+  std::vector<ExpressionPointer> indices;
 };
 struct InternalUse {
   InternalId id;
@@ -138,7 +147,7 @@ struct Call {
   const Function* function = nullptr;
   std::vector<ExpressionPointer> arguments;
 };
-// A function that the user defined; looked up by name when it is called.
+// A function that the user defined, or that acts on the scene; looked up by name when it is called.
 struct UserCall {
   std::string name;
   std::vector<ExpressionPointer> arguments;
@@ -167,8 +176,9 @@ struct ValidElement {
 };
 
 struct Expression {
-  std::variant<Number, Text, VariableUse, LocalUse, InternalUse, AttributeUse, Unary, Chain, Comparison,
-               Conditional, Call, UserCall, Aggregate, Format, IsDefined, SizeOf, ValidElement>
+  std::variant<Number, Text, VariableUse, ArrayUse, ArrayLiteral, LocalUse, InternalUse, AttributeUse, Unary,
+               Chain, Comparison, Conditional, Call, UserCall, Aggregate, Format, IsDefined, SizeOf,
+               ValidElement>
       node;
   text::Place place;
 };

@@ -302,13 +302,13 @@ ExpressionPointer ExpressionParser::word() {
 
   const std::string_view name = tokens_.peek().text;
   const Function* const function = find_function(name);
-  if (called) {
-    if (const auto parameters = scope_.user_function(name)) return user_call(*parameters);
-    if (function != nullptr) return call(*function);
-  }
+  const auto arity = scope_.user_function(name);
+  if (called && arity) return user_call(*arity);
+  if (called && function != nullptr) return call(*function);
   text::Place dotted;
   if (const auto id = dotted_internal(dotted)) return make(InternalUse{*id}, dotted);
-  if (const auto id = scope_.variable(name)) return make(VariableUse{*id}, tokens_.take().place);
+  if (const auto id = scope_.variable(name)) return variable(*id);
+  if (arity && arity->most == 0) return user_call(*arity);
   if (const auto id = scope_.internal(name)) return make(InternalUse{*id}, tokens_.take().place);
   if (const auto value = named_number(name)) return make(Number{*value}, tokens_.take().place);
   if (function != nullptr) {
@@ -406,9 +406,41 @@ ExpressionPointer ExpressionParser::call(const Function& function) {
   return make(Call{&function, arguments(name, function.arguments)}, name.place);
 }
 
-ExpressionPointer ExpressionParser::user_call(std::size_t parameters) {
+ExpressionPointer ExpressionParser::user_call(const Arity& arity) {
   const Token name = tokens_.take();
-  return make(UserCall{text::lower(name.text), arguments(name, parameters)}, name.place);
+  UserCall result{text::lower(name.text), {}};
+  if (tokens_.peek().is_symbol("("))
+    result.arguments = arguments(name, arity.least == arity.most ? std::optional(arity.least) : std::nullopt);
+  if (result.arguments.size() < arity.least || result.arguments.size() > arity.most) {
+    throw text::Error(name.place, fmt::format("{} takes at least {} arguments, not {}", name.text,
+                                              arity.least, result.arguments.size()));
+  }
+  return make(std::move(result), name.place);
+}
+
+ExpressionPointer ExpressionParser::variable(VariableId id) {
+  text::Place place = tokens_.take().place;
+  if (!tokens_.peek().is_symbol("[") || tokens_.peek().separator != 0) return make(VariableUse{id}, place);
+  ArrayUse use{id, array_indices(place)};
+  return make(std::move(use), place);
+}
+
+ExpressionPointer ExpressionParser::array_literal() {
+  const Level level(*this);
+  const Token opener = tokens_.take();
+  const Enclosed enclosed(*this);
+  ArrayLiteral result;
+  do {
+    result.items.push_back(tokens_.peek().is_symbol("{") ? array_literal() : expression());
+  } while (accept_comma());
+  text::Place place = join(opener.place, close("}", opener));
+  return make(std::move(result), std::move(place));
+}
+
+std::vector<ExpressionPointer> ExpressionParser::array_indices(text::Place& place) {
+  std::vector<ExpressionPointer> indices;
+  while (tokens_.peek().is_symbol("[")) indices.push_back(bracketed_index(place));
+  return indices;
 }
 
 ExpressionPointer ExpressionParser::aggregate(AggregateKind kind) {

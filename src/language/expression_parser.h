@@ -55,6 +55,10 @@ class ExpressionParser {
   void where_clause(Generator& generator);
   // The internal value `name.part`, such as volume.target of a quantity, if one is named next; taken then.
   std::optional<InternalId> dotted_internal(text::Place& place);
+  // The indices that follow an array's name.
+  std::vector<ExpressionPointer> array_indices(text::Place& place);
+  // Numbers in braces, which come next.
+  ExpressionPointer array_literal();
   // The attribute of an element of this kind that is named next.
   AttributeUse attribute(ElementPath of);
 
@@ -80,7 +84,8 @@ class ExpressionParser {
   ExpressionPointer parentheses();
   ExpressionPointer string();
   ExpressionPointer call(const Function& function);
-  ExpressionPointer user_call(std::size_t parameters);
+  ExpressionPointer user_call(const Arity& arity);
+  ExpressionPointer variable(VariableId id);
   ExpressionPointer aggregate(AggregateKind kind);
   ExpressionPointer special_call();
   ExpressionPointer attribute_of_element();

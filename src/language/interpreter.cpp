@@ -52,7 +52,14 @@ class Runner {
     host_.run_command(*node.call, evaluation_);
     return {};
   }
+  Flow run(const RefusedCommand& node) { throw text::Error(node.message); }
+  Flow run(const ExpressionStatement& node) {
+    evaluate(*node.value, evaluation_);
+    return {};
+  }
   Flow run(const Assignment& node);
+  void assign_array(const Assignment& node, VariableId id, std::span<const ExpressionPointer> indices,
+                    const Array& array);
   Flow run(const ProcedureDefinition& node) {
     host_.define(node.procedure);
     return {};
@@ -99,6 +106,8 @@ Value Runner::present(const Assignment& node, const Element& element, int compon
   if (const auto* id = std::get_if<InternalId>(&node.target)) return host_.internal(*id);
   if (const auto* use = std::get_if<AttributeUse>(&node.target))
     return host_.attribute(use->attribute, element, component);
+  if (const auto* use = std::get_if<ArrayUse>(&node.target))
+    return host_.array(use->id)->values[static_cast<std::size_t>(component)];
   const LocalValue& local = evaluation_.local(std::get<LocalId>(node.target));
   if (const auto* text = std::get_if<std::string>(&local)) return *text;
   return std::get<double>(local);
@@ -122,7 +131,46 @@ Value Runner::new_value(const Assignment& node, const Element& element, int comp
   }
 }
 
+// Into the part of the array that the indices name: every component, from an array of the same shape or from
+// one number.
+void Runner::assign_array(const Assignment& node, VariableId id, std::span<const ExpressionPointer> indices,
+                          const Array& array) {
+  const ArrayPart part = evaluate_part(indices, array.shape, node.value->place, evaluation_);
+  const std::optional<Array> values = evaluate_array(*node.value, evaluation_);
+  // Of a list of numbers, there may be fewer or more than there is room for.
+  const bool list = values && values->shape.size() == 1 && part.shape.size() == 1;
+  if (values && values->shape != part.shape && !list)
+    throw text::Error(node.value->place, "this array has other dimensions than the one it goes to");
+  if (values && node.kind != AssignmentKind::set)
+    throw text::Error(node.value->place, "arrays are counted with number by number");
+  const std::size_t count = values ? std::min(part.count, values->values.size()) : part.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int component = static_cast<int>(part.first + i);
+    const Value value = values ? Value(values->values[i]) : new_value(node, {}, component);
+    const double* const number = std::get_if<double>(&value);
+    if (number == nullptr) throw text::Error(node.value->place, "an array holds numbers, not strings");
+    host_.assign(id, part.first + i, *number);
+  }
+}
+
 Flow Runner::run(const Assignment& node) {
+  if (const auto* part = std::get_if<ArrayUse>(&node.target)) {
+    const Array* const array = host_.array(part->id);
+    if (array == nullptr) throw text::Error("this is no array: it takes no index");
+    assign_array(node, part->id, part->indices, *array);
+    return {};
+  }
+  if (const auto* id = std::get_if<VariableId>(&node.target); id != nullptr && host_.array(*id) != nullptr) {
+    if (node.kind != AssignmentKind::set) throw text::Error("arrays are counted with number by number");
+    assign_array(node, *id, {}, *host_.array(*id));
+    return {};
+  }
+  if (const auto* id = std::get_if<VariableId>(&node.target);
+      id != nullptr && std::holds_alternative<ArrayLiteral>(node.value->node)) {
+    host_.set_shape(*id, evaluate_array(*node.value, evaluation_)->shape);
+    assign_array(node, *id, {}, *host_.array(*id));
+    return {};
+  }
   Element element;
   int component = 0;
   const auto* const use = std::get_if<AttributeUse>(&node.target);
@@ -133,6 +181,7 @@ Flow Runner::run(const Assignment& node) {
   Value value = new_value(node, element, component);
   if (const auto* id = std::get_if<VariableId>(&node.target)) {
     host_.assign(*id, std::move(value));
+    if (node.permanent) host_.make_permanent(*id);
   } else if (const auto* internal = std::get_if<InternalId>(&node.target)) {
     host_.assign(*internal, value);
   } else if (const auto* local = std::get_if<LocalId>(&node.target)) {

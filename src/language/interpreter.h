@@ -10,6 +10,12 @@ namespace lamella::language {
 class Host : public Environment {
  public:
   virtual void assign(VariableId id, Value value) = 0;
+  // The variable outlives the scene.
+  virtual void make_permanent(VariableId id) = 0;
+  // Makes a variable an array of this shape, with what fits of an array that it was.
+  virtual void set_shape(VariableId id, const std::vector<int>& shape) = 0;
+  // A component of a variable that is an array, in row order.
+  virtual void assign(VariableId id, std::size_t component, double value) = 0;
   virtual void assign(InternalId id, const Value& value) = 0;
   virtual void assign(AttributeId id, const Element& element, int component, double value) = 0;
 

@@ -10,6 +10,12 @@
 
 namespace lamella::language {
 
+// How many arguments a function takes.
+struct Arity {
+  std::size_t least = 0;
+  std::size_t most = 0;
+};
+
 struct AttributeMeaning {
   AttributeId id;
   std::vector<int> shape;  // empty for a single number
@@ -54,8 +60,9 @@ class Scope {
   }
   // The number of what has a name, where an attribute takes a number.
   virtual std::optional<int> number_named(AttributeId, std::string_view /*name*/) const { return {}; }
-  // The number of arguments of a function that the user defined.
-  virtual std::optional<std::size_t> user_function(std::string_view /*name*/) const { return {}; }
+  // A function that the user defined, or one that acts on the scene (`new_vertex`). One without arguments may
+  // stand without parentheses.
+  virtual std::optional<Arity> user_function(std::string_view /*name*/) const { return {}; }
   // Whether there are elements to speak of (in a datafile's top there are none yet).
   virtual bool has_elements() const { return false; }
 

@@ -32,9 +32,19 @@ enum class AssignmentKind : std::uint8_t { set, add, subtract, multiply, divide 
 struct CommandStatement {
   std::unique_ptr<const CommandCall> call;
 };
+using AssignmentTarget = std::variant<VariableId, ArrayUse, LocalId, InternalId, AttributeUse>;
 struct Assignment {
-  std::variant<VariableId, LocalId, InternalId, AttributeUse> target;
+  AssignmentTarget target;
   AssignmentKind kind = AssignmentKind::set;
+  bool permanent = false;  // ::=
+  ExpressionPointer value;
+};
+// A command that is known and not supported; the message is for whoever runs it.
+struct RefusedCommand {
+  std::string message;
+};
+// A function called for what it does: `new_edge(1, 2)`.
+struct ExpressionStatement {
   ExpressionPointer value;
 };
 struct ProcedureDefinition {
@@ -88,8 +98,9 @@ struct Redirected {
 };
 
 struct Statement {
-  std::variant<CommandStatement, Assignment, ProcedureDefinition, ProcedureCall, Repetition, Conditionally,
-               Loop, Foreach, Break, Continue, Return, LocalDeclaration, Redirected, Block>
+  std::variant<CommandStatement, RefusedCommand, ExpressionStatement, Assignment, ProcedureDefinition,
+               ProcedureCall, Repetition, Conditionally, Loop, Foreach, Break, Continue, Return,
+               LocalDeclaration, Redirected, Block>
       node;
   text::Place place;
 };

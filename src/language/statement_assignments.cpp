@@ -12,8 +12,10 @@ namespace lamella::language {
 namespace {
 
 std::optional<AssignmentKind> assignment_kind(const Token& token) {
-  constexpr std::array<std::pair<std::string_view, AssignmentKind>, 5> symbols = {
+  constexpr std::array<std::pair<std::string_view, AssignmentKind>, 7> symbols = {
       {{":=", AssignmentKind::set},
+       {"::=", AssignmentKind::set},
+       {":::=", AssignmentKind::set},
        {"+=", AssignmentKind::add},
        {"-=", AssignmentKind::subtract},
        {"*=", AssignmentKind::multiply},
@@ -31,15 +33,46 @@ StatementPointer StatementParser::assignment() {
   if (tokens_.peek().is_symbol("++") || tokens_.peek().is_symbol("--")) {
     return step(name, name.place, tokens_.take().text == "++");
   }
-  const bool plain = tokens_.peek().is_symbol(":=");
+  const bool permanent = tokens_.peek().is_symbol("::=") || tokens_.peek().is_symbol(":::=");
+  const bool plain = tokens_.peek().is_symbol(":=") || permanent;
   if (plain && scope_.locals().find(name.text) == nullptr) {
     const std::uint32_t mark = tokens_.mark();
     tokens_.take();
     skip_lines();
-    if (tokens_.peek().is_symbol("{") || value_is_command()) return procedure_definition(name);
+    const bool block = tokens_.peek().is_symbol("{") && !at_array_literal();
+    if (block || value_is_command()) return procedure_definition(name);
     tokens_.rewind(mark);
   }
   return assign_name(name);
+}
+
+// Whether braces hold numbers: no command begins with one.
+bool StatementParser::at_array_literal() {
+  std::size_t ahead = 0;
+  while (tokens_.peek(ahead).is_symbol("{")) ++ahead;
+  const Token& first = tokens_.peek(ahead);
+  return ahead > 0 && (first.is(TokenKind::number) || first.is_symbol("-") || first.is_symbol("("));
+}
+
+// `set background white` is background := white.
+bool StatementParser::at_named_setting() {
+  const Token& name = tokens_.peek(1);
+  return tokens_.peek().is_word("set") && name.is(TokenKind::word) && !element_kind(name.text) &&
+         (scope_.variable(name.text) || scope_.internal(name.text));
+}
+
+StatementPointer StatementParser::named_setting() {
+  const text::Place place = tokens_.take().place;
+  const Token name = tokens_.take();
+  Assignment result;
+  if (tokens_.peek().is_symbol(":=")) tokens_.take();
+  result.value = expression();
+  if (const auto variable = scope_.variable(name.text)) {
+    result.target = *variable;
+  } else {
+    result.target = *scope_.internal(name.text);
+  }
+  return make_statement(std::move(result), place);
 }
 
 // Whether what follows `name :=` is a command, as in `gg := g 10`: its word means no value.
@@ -71,7 +104,8 @@ StatementPointer StatementParser::assign_name(const Token& name) {
     throw text::Error(name.place, fmt::format("\"{}\" is a procedure", name.text),
                       "choose another name for the value");
   }
-  if (!tokens_.peek().is_symbol(":=") && !scope_.variable(name.text)) {
+  const bool plain = *assignment_kind(tokens_.peek()) == AssignmentKind::set;
+  if (!plain && !scope_.variable(name.text)) {
     throw text::Error(name.place, fmt::format("\"{}\" is not defined", name.text),
                       suggest_name(name.text, scope_));
   }
@@ -85,18 +119,28 @@ StatementPointer StatementParser::assign_name(const Token& name) {
 // `:= value` and the like, the target still open.
 Assignment StatementParser::assigned_value() {
   Assignment result;
+  result.permanent = tokens_.peek().text.starts_with("::");
   result.kind = *assignment_kind(tokens_.take());
   skip_lines();
-  result.value = expression();
+  result.value = tokens_.peek().is_symbol("{") ? expressions().array_literal() : expression();
   return result;
 }
 
-StatementPointer StatementParser::assign_to(
-    std::variant<VariableId, LocalId, InternalId, AttributeUse> target) {
+StatementPointer StatementParser::assign_to(AssignmentTarget target) {
   const text::Place place = tokens_.peek().place;
   Assignment result = assigned_value();
   result.target = std::move(target);
   return make_statement(std::move(result), place);
+}
+
+// costs[2][3] := value
+StatementPointer StatementParser::array_assignment() {
+  const Token name = tokens_.take();
+  ArrayUse target{*scope_.variable(name.text), {}};
+  text::Place place = name.place;
+  target.indices = expressions().array_indices(place);
+  if (!assignment_kind(tokens_.peek())) unexpected("\":=\"");
+  return assign_to(std::move(target));
 }
 
 // name++ or --name

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 14> keywords = {"if",    "then",      "el
 // Whether the text behind a word makes an assignment of it. `show --x` is none: there a step ends the
 // statement.
 bool begins_assignment(std::string_view after) {
-  for (const std::string_view symbol : {":=", "+=", "-=", "*=", "/="}) {
+  for (const std::string_view symbol : {":=", "+=", "-=", "*=", "/=", "::=", ":::="}) {
     if (after.starts_with(symbol)) return true;
   }
   if (!after.starts_with("++") && !after.starts_with("--")) return false;
@@ -275,17 +275,23 @@ StatementPointer StatementParser::word_statement() {
   tokens_.peek();
   const std::string_view after = tokens_.text_after_next();
   if (begins_assignment(after)) return assignment();
-  if (after.starts_with("::=") || after.starts_with(":::=")) {
-    const text::Place place = tokens_.peek(1).place;
-    throw text::Error(place, "permanent definitions are not supported", "use :=");
-  }
   const bool dotted = tokens_.peek(1).is_symbol(".") && !scope_.is_command(tokens_.peek().text);
   if (expressions().at_elements() || dotted) return attribute_assignment();
+  if (after.starts_with("[") && scope_.variable(tokens_.peek().text)) return array_assignment();
   if (scope_.procedure(tokens_.peek().text)) return procedure_call();
+  if (at_named_setting()) return named_setting();
+  if (at_global_definition()) return refused("constraints, boundaries and quantities stand in the datafile");
   if (scope_.is_command(tokens_.peek().text)) {
     const text::Place place = tokens_.peek().place;
     return make_statement(CommandStatement{scope_.parse_command(tokens_)}, place);
   }
+  if (scope_.user_function(tokens_.peek().text)) {
+    const text::Place place = tokens_.peek().place;
+    return make_statement(ExpressionStatement{expression()}, place);
+  }
+  if (const std::string reason = scope_.why_refused(tokens_.peek().text); !reason.empty())
+    return refused(reason);
+  if (is_letter_with_count(tokens_.peek())) return letter_with_count();
   const Token word = tokens_.take();
   if (scope_.variable(word.text) || scope_.internal(word.text) ||
       scope_.locals().find(word.text) != nullptr) {
@@ -297,6 +303,46 @@ StatementPointer StatementParser::word_statement() {
   for (const std::string_view keyword : keywords) known.emplace_back(keyword);
   throw text::Error(word.place, fmt::format("there is no command \"{}\"", word.text),
                     text::did_you_mean(word.text, known));
+}
+
+// The command goes on to where any would end.
+StatementPointer StatementParser::refused(std::string_view reason) {
+  const Token word = tokens_.take();
+  int open = 0;
+  while (open > 0 || !at_command_end(tokens_)) {
+    const Token token = tokens_.take();
+    if (token.is(TokenKind::end)) throw Incomplete(token.place, "a bracket is never closed");
+    if (token.is_symbol("(") || token.is_symbol("[") || token.is_symbol("{")) ++open;
+    if (token.is_symbol(")") || token.is_symbol("]") || token.is_symbol("}")) --open;
+  }
+  return make_statement(RefusedCommand{fmt::format("{} is not supported: {}", word.text, reason)},
+                        word.place);
+}
+
+bool StatementParser::at_global_definition() {
+  if (!tokens_.peek().is_word("define")) return false;
+  const Token& what = tokens_.peek(1);
+  return what.is_word("constraint") || what.is_word("boundary") || what.is_word("quantity") ||
+         what.is_word("method_instance");
+}
+
+// `g5` is g 5, though `g` and the number stick together.
+bool StatementParser::is_letter_with_count(const Token& word) const {
+  const std::string_view digits = word.text.substr(1);
+  const bool number = !digits.empty() && digits.size() < 9 &&
+                      digits.find_first_not_of("0123456789") == std::string_view::npos;
+  return number && scope_.is_command(word.text.substr(0, 1));
+}
+
+StatementPointer StatementParser::letter_with_count() {
+  const Token word = tokens_.take();
+  auto count = std::make_unique<Expression>();
+  count->node = Number{std::stod(std::string(word.text.substr(1)))};
+  count->place = word.place;
+  const text::Place letter{word.place.source, word.place.offset, 1};
+  LexerStream alone(Lexer(letter, LexerMode::command));
+  StatementPointer command = make_statement(CommandStatement{scope_.parse_command(alone)}, word.place);
+  return make_statement(Repetition{std::move(command), std::move(count)}, word.place);
 }
 
 }  // namespace lamella::language

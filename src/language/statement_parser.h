@@ -17,6 +17,8 @@ class StatementScope : public Scope {
 
   // --- commands
   virtual bool is_command(std::string_view word) const = 0;
+  // Why a command that is known is not supported; empty for others.
+  virtual std::string why_refused(std::string_view word) const = 0;
   // Takes the command's word and its arguments.
   virtual std::unique_ptr<const CommandCall> parse_command(LexerStream& tokens) = 0;
   // Suggestions for what can begin a statement.
@@ -55,7 +57,15 @@ class StatementParser {
   StatementPointer block_with_count();
   Block braces();
   StatementPointer assignment();
-  StatementPointer assign_to(std::variant<VariableId, LocalId, InternalId, AttributeUse> target);
+  StatementPointer assign_to(AssignmentTarget target);
+  StatementPointer array_assignment();
+  bool at_array_literal();
+  bool at_named_setting();
+  bool at_global_definition();
+  StatementPointer named_setting();
+  StatementPointer refused(std::string_view reason);
+  StatementPointer letter_with_count();
+  bool is_letter_with_count(const Token& word) const;
   Assignment assigned_value();
   StatementPointer assign_name(const Token& name);
   StatementPointer step(const Token& name, const text::Place& place, bool up);

@@ -14,6 +14,12 @@ namespace lamella::language {
 
 using Value = std::variant<double, std::string>;
 
+// Numbers in an array, row by row; the shape {3} is a vector.
+struct Array {
+  std::vector<int> shape;
+  std::vector<double> values;
+};
+
 // The row of a variable. It belongs to the name for the whole session, so parsed text can keep it.
 struct VariableId {
   std::uint32_t row = 0;
@@ -36,8 +42,12 @@ class VariableNames {
 
 struct Variable {
   Value value = 0.0;
+  Array array;  // with a shape if the variable is an array; the value says nothing then
   bool defined = false;
   bool parameter = false;  // declared by PARAMETER in the datafile's top section
+  bool permanent = false;  // outlives the scene
+
+  bool is_array() const { return !array.shape.empty(); }
 };
 
 class Variables {
@@ -52,6 +62,11 @@ class Variables {
   const Variable* get(VariableId id) const;
   std::optional<VariableId> find_id(std::string_view name) const;
   void set(VariableId id, Value value);
+  // Makes the variable an array; what fits of an earlier one of as many dimensions stays.
+  void set_shape(VariableId id, const std::vector<int>& shape);
+  // The variable must be an array with this component, in row order.
+  void set_component(VariableId id, std::size_t component, double value);
+  void mark_permanent(VariableId id);
   void mark_parameter(VariableId id);
   void undefine(VariableId id);
   // Changes with every change of a value; equal for copies.
@@ -65,7 +80,7 @@ class Variables {
       if (values_[i].defined) function(VariableId{i}, values_[i]);
     }
   }
-  // Takes over the ids of another scene's names and forgets all values (a new scene in the same session).
+  // Takes over the ids of another scene's names and its permanent values (a new scene in the same session).
   void restart_like(const Variables& other);
 
  private:

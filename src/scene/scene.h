@@ -60,6 +60,12 @@ struct DescentScale {
   double limit = 1;
 };
 
+// How often pictures repeat the scene: an expression in the datafile's transform generators.
+struct ViewTransforms {
+  std::string expression;
+  bool on = false;
+};
+
 struct Scene {
   film::Film film;
   std::vector<Body> bodies;
@@ -91,6 +97,7 @@ struct Scene {
   std::string name;           // the datafile's path, empty for none
   std::string title;          // its first comment lines, kept for saving
   std::vector<CosmeticLine> cosmetics;
+  ViewTransforms view_transforms;
   std::string read_section;  // the text after READ, without procedures and variables
 
   Body& body(film::Region r) { return bodies[r.index - 1]; }

@@ -144,6 +144,8 @@ class ArgumentParser {
         return true;
       case ArgumentKind::commands:
         return token.is_symbol("{");
+      case ArgumentKind::sample:
+        return token.is_symbol("(");
       case ArgumentKind::text:
         if (!argument.choices.empty()) return is_choice(argument, token);
         break;
@@ -238,6 +240,9 @@ class ArgumentParser {
         break;
       case ArgumentKind::formulas:
         formulas(typed);
+        break;
+      case ArgumentKind::sample:
+        sample(typed);
         break;
     }
     return typed;
@@ -344,7 +349,9 @@ class ArgumentParser {
 
   // The name of the element in turn holds in the arguments that follow, too.
   void generator(TypedArgument& typed) {
+    const std::uint32_t begin = tokens_.mark();
     typed.generator = expressions().generator();
+    typed.word = tokens_.peek().place.source->content.substr(begin, tokens_.previous_end() - begin);
     typed.place = typed.generator->place;
   }
 
@@ -463,6 +470,25 @@ class ArgumentParser {
       return;
     }
     throw text::Error(*refused);
+  }
+
+  // (elements, value)
+  void sample(TypedArgument& typed) {
+    expect_symbol("(");
+    const language::Brackets brackets(tokens_);
+    generator(typed);
+    expect_symbol(",");
+    typed.expressions.push_back(expressions().expression());
+    expect_symbol(")");
+  }
+
+  void expect_symbol(std::string_view symbol) {
+    if (!tokens_.peek().is_symbol(symbol)) {
+      throw text::Error(tokens_.peek().place,
+                        fmt::format("expected \"{}\", found {}", symbol, describe(tokens_.peek())),
+                        "usage: " + usage(command_));
+    }
+    tokens_.take();
   }
 
   void commands(TypedArgument& typed) {

@@ -55,7 +55,7 @@ std::optional<GivenValue> value_of(const TypedArgument& typed, language::Evaluat
     case ArgumentKind::elements:
       return Elements{typed.generator->kind, evaluate_elements(*typed.generator, evaluation)};
     case ArgumentKind::selection:
-      return Selection{&*typed.generator};
+      return Selection{&*typed.generator, typed.word};
     case ArgumentKind::expressions: {
       Expressions result;
       for (const auto& expression : typed.expressions) result.list.push_back(expression.get());
@@ -81,6 +81,8 @@ std::optional<GivenValue> value_of(const TypedArgument& typed, language::Evaluat
       return Commands{typed.commands};
     case ArgumentKind::formulas:
       return *typed.formulas;
+    case ArgumentKind::sample:
+      return Sample{&*typed.generator, typed.expressions.front().get()};
   }
   return std::nullopt;
 }

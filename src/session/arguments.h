@@ -43,6 +43,13 @@ struct Elements {
 // Elements not yet picked out.
 struct Selection {
   const language::Generator* generator = nullptr;
+  std::string text;  // as typed
+};
+
+// `(elements, value)`: what to take of each of some elements.
+struct Sample {
+  const language::Generator* generator = nullptr;
+  const language::Expression* value = nullptr;
 };
 
 // Expressions not yet evaluated, separated by commas.
@@ -113,12 +120,13 @@ enum class ArgumentKind : std::uint8_t {
   field,
   commands,
   formulas,
+  sample,
 };
 
 // The value of an argument, as it reaches the options.
 using GivenValue =
     std::variant<double, long, std::string, File, Word, bool, std::vector<double>, Elements, Selection,
-                 Expressions, Setting, Definition, Printable, Field, Commands, VertexFormulas>;
+                 Expressions, Setting, Definition, Printable, Field, Commands, VertexFormulas, Sample>;
 
 struct Argument {
   std::string name;
@@ -191,6 +199,8 @@ template <>
 struct Filled<Commands> : FilledAs<ArgumentKind::commands, Commands> {};
 template <>
 struct Filled<VertexFormulas> : FilledAs<ArgumentKind::formulas, VertexFormulas> {};
+template <>
+struct Filled<Sample> : FilledAs<ArgumentKind::sample, Sample> {};
 template <std::size_t n>
 struct Filled<std::array<double, n>> {
   static constexpr ArgumentKind kind = ArgumentKind::numbers;

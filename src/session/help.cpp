@@ -122,8 +122,12 @@ std::string name_help(Session& session, std::string_view topic) {
   return result + attribute_help(session, topic);
 }
 
+// Pages of the manual that are about no one command.
+constexpr std::array<std::string_view, 3> pages = {"language", "switches", "evolver"};
+
 std::vector<std::string> all_topics(Session& session) {
-  std::vector<std::string> topics = {"language", "error"};
+  std::vector<std::string> topics(pages.begin(), pages.end());
+  topics.emplace_back("error");
   session.names().collect_statement_words(topics);
   session.names().collect_names(topics);
   for (const ElementKind kind : all_kinds) session.names().collect_attributes(kind, topics);
@@ -249,15 +253,16 @@ std::string help_overview(Session& session) {
   }
   return result +
          "help NAME tells more, about functions, variables and attributes too; help language is on if, "
-         "foreach and the rest.\n";
+         "foreach and the rest, help switches on what is on or off, help evolver on Surface Evolver.\n";
 }
 
 std::string help_topic(Session& session, std::string_view topic) {
   const bool colours = colours_allowed(STDOUT_FILENO) && !session.output().redirected();
   if (text::lower(topic) == "error")
     return session.last_error().empty() ? "nothing has gone wrong so far\n" : session.last_error();
-  if (text::lower(topic) == "language") {
-    if (const auto page = manual_page("language.md")) return readable(*page, colours);
+  for (const std::string_view page_name : pages) {
+    if (text::lower(topic) != page_name) continue;
+    if (const auto page = manual_page(fmt::format("{}.md", page_name))) return readable(*page, colours);
   }
   std::string result;
   if (const Command* const command = find_command(session.names().commands(), topic))

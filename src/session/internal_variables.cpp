@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <vector>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "energy/plateau.h"
 #include "evolution/balance.h"
+#include "session/program.h"
 #include "session/session.h"
+#include "session/switches.h"
 #include "text/error.h"
 #include "text/suggest.h"
 
@@ -45,6 +48,12 @@ evolution::Balance motion(const Session& session) {
   return evolution::balance(session.scene());
 }
 
+double jiggle_temperature(Session& session) {
+  constexpr double usual = 0.05;
+  const double set = session.counter("jiggle_temperature");
+  return set > 0 ? set : usual;
+}
+
 // A counter that commands leave behind.
 template <std::size_t n>
 struct Literal {
@@ -57,7 +66,17 @@ Value counter(Session& session) {
   return session.counter(name.content);
 }
 
-constexpr InternalVariable table[] = {
+// A value that is kept and has no effect here: of windows, and of methods that go another way.
+template <Literal name>
+void keep(Session& session, double value) {
+  session.counter(name.content) = value;
+}
+template <Literal name>
+InternalVariable kept() {
+  return {name.content, "accepted, without effect", counter<name>, keep<name>};
+}
+
+const InternalVariable table[] = {
     {"total_area", "area of all facets", [](Session& s) -> Value { return s.measures().area; }, nullptr},
     {"total_energy", "energy of the scene", [](Session& s) -> Value { return s.measures().energy; }, nullptr},
     {"total_length", "length of all edges", [](Session& s) -> Value { return s.measures().length; }, nullptr},
@@ -75,8 +94,6 @@ constexpr InternalVariable table[] = {
     {"gravity_constant", "strength of gravity, along -z",
      [](Session& s) -> Value { return s.scene().gravity.constant; },
      [](Session& s, double value) { s.scene().gravity.constant = finite(value, "gravity_constant"); }},
-    {"gravity", "whether gravity acts", [](Session& s) -> Value { return s.scene().gravity.on ? 1.0 : 0.0; },
-     [](Session& s, double value) { s.scene().gravity.on = value != 0; }},
     {"scale", "step of g: the last, or the one fixed by m",
      [](Session& s) -> Value { return s.scene().scale.value; },
      [](Session& s, double value) { s.scene().scale.value = positive(value, "scale"); }},
@@ -123,24 +140,74 @@ constexpr InternalVariable table[] = {
     {"fix_count", "elements fixed by the last fix", counter<"fix_count">, nullptr},
     {"unfix_count", "elements freed by the last unfix", counter<"unfix_count">, nullptr},
     {"check_count", "faults found by the last check", counter<"check_count">, nullptr},
+    {"edge_delete_count", "edges that the last delete or t collapsed", counter<"edge_delete_count">, nullptr},
+    {"facet_delete_count", "facets that the last delete or w took away", counter<"facet_delete_count">,
+     nullptr},
+    {"edgeswap_count", "edges switched by the last edgeswap", counter<"edgeswap_count">, nullptr},
+    {"notch_count", "edges notched by the last n", counter<"notch_count">, nullptr},
+    {"vertex_dissolve_count", "vertices dissolved last", counter<"vertex_dissolve_count">, nullptr},
+    {"edge_dissolve_count", "edges dissolved last", counter<"edge_dissolve_count">, nullptr},
+    {"facet_dissolve_count", "facets dissolved last", counter<"facet_dissolve_count">, nullptr},
+    {"body_dissolve_count", "bodies dissolved last", counter<"body_dissolve_count">, nullptr},
+    {"jiggle_temperature", "how far j shakes, in mean edge lengths",
+     [](Session& s) -> Value { return jiggle_temperature(s); },
+     [](Session& s, double value) {
+       s.counter("jiggle_temperature") = positive(value, "jiggle_temperature");
+     }},
+    {"transform_expr", "how pictures repeat the scene",
+     [](Session& s) -> Value { return s.scene().view_transforms.expression; }, nullptr},
+    {"evolver_version", "version of the program", [](Session&) -> Value { return std::string(version()); },
+     nullptr},
+    kept<"background">(),
+    kept<"brightness">(),
+    kept<"hessian_slant_cutoff">(),
+    kept<"linear_metric_mix">(),
+    kept<"ps_bareedgewidth">(),
+    kept<"ps_conedgewidth">(),
+    kept<"ps_fixededgewidth">(),
+    kept<"ps_gridedgewidth">(),
+    kept<"ps_labelsize">(),
+    kept<"ps_stringwidth">(),
+    kept<"ps_tripleedgewidth">(),
+    kept<"scale_scale">(),
+    kept<"scrollbuffersize">(),
+    kept<"target_tolerance">(),
+    kept<"thickness">(),
+    kept<"window_aspect_ratio">(),
 };
 
 }  // namespace
 
+namespace {
+
+InternalVariable variable_of(const Switch& known) {
+  return {known.name, "1 if it is on, else 0",
+          [&known](Session& s) -> Value { return is_on(s, known) ? 1.0 : 0.0; },
+          [&known](Session& s, double value) { turn(s, known, value != 0); }};
+}
+
+}  // namespace
+
 std::span<const InternalVariable> internal_variables() {
-  return table;
+  static const std::vector<InternalVariable> all = [] {
+    std::vector<InternalVariable> made(std::begin(table), std::end(table));
+    for (const Switch& known : switches()) made.push_back(variable_of(known));
+    return made;
+  }();
+  return all;
 }
 
 std::optional<language::InternalId> find_internal_variable(std::string_view name) {
   const std::string key = text::lower(name);
-  for (std::uint32_t i = 0; i < std::size(table); ++i) {
-    if (table[i].name == key) return language::InternalId{i};
+  const std::span<const InternalVariable> all = internal_variables();
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    if (all[i].name == key) return language::InternalId{i};
   }
   return std::nullopt;
 }
 
 const InternalVariable& internal_variable(language::InternalId id) {
-  return table[id.row];
+  return internal_variables()[id.row];
 }
 
 }  // namespace lamella::session

@@ -2,6 +2,7 @@
 // `clock`.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -15,8 +16,8 @@ class Session;
 struct InternalVariable {
   std::string_view name;
   std::string_view summary;
-  language::Value (*get)(Session&) = nullptr;
-  void (*set)(Session&, double value) = nullptr;  // null: cannot be set
+  std::function<language::Value(Session&)> get;
+  std::function<void(Session&, double value)> set;  // empty: cannot be set
 };
 
 std::span<const InternalVariable> internal_variables();

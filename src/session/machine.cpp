@@ -9,6 +9,7 @@
 #include "session/internal_variables.h"
 #include "session/interrupt.h"
 #include "session/quantity_parts.h"
+#include "session/scene_functions.h"
 #include "session/session.h"
 #include "text/suggest.h"
 
@@ -22,7 +23,16 @@ const Value& Machine::variable(language::VariableId id) {
   const language::Variables& variables = session_.scene().variables;
   const language::Variable* const variable = variables.get(id);
   if (variable == nullptr) throw text::Error(fmt::format("\"{}\" has no value", variables.name(id)));
+  if (variable->is_array()) {
+    throw text::Error(fmt::format("\"{}\" is an array", variables.name(id)),
+                      fmt::format("name the component, as in {}[1]", variables.name(id)));
+  }
   return variable->value;
+}
+
+const language::Array* Machine::array(language::VariableId id) {
+  const language::Variable* const variable = session_.scene().variables.get(id);
+  return variable != nullptr && variable->is_array() ? &variable->array : nullptr;
 }
 
 Value Machine::internal(language::InternalId id) {
@@ -44,6 +54,10 @@ std::shared_ptr<const std::vector<Element>> Machine::elements(ElementKind kind) 
   return index_.all(session_.scene(), kind);
 }
 
+bool Machine::exists(const Element& element) {
+  return is_alive(session_.scene(), element.kind, element.row);
+}
+
 std::optional<Element> Machine::numbered(ElementKind kind, double number) {
   constexpr double most = 4e9;
   const double whole = std::trunc(number);
@@ -58,6 +72,9 @@ std::vector<Element> Machine::parts(const Element& element, ElementKind kind) {
 }
 
 Value Machine::call(const std::string& function, std::span<const Value> arguments) {
+  if (const SceneFunction* const found = find_scene_function(function);
+      found != nullptr && procedure(function) == nullptr)
+    return found->run(session_, arguments);
   const language::Procedure* const found = procedure(function);
   if (found == nullptr || !found->returns_value)
     throw text::Error(fmt::format("there is no function \"{}\"", function));
@@ -68,6 +85,18 @@ Value Machine::call(const std::string& function, std::span<const Value> argument
 
 void Machine::assign(language::VariableId id, Value value) {
   session_.scene().variables.set(id, std::move(value));
+}
+
+void Machine::make_permanent(language::VariableId id) {
+  session_.scene().variables.mark_permanent(id);
+}
+
+void Machine::set_shape(language::VariableId id, const std::vector<int>& shape) {
+  session_.scene().variables.set_shape(id, shape);
+}
+
+void Machine::assign(language::VariableId id, std::size_t component, double value) {
+  session_.scene().variables.set_component(id, component, value);
 }
 
 void Machine::assign(language::InternalId id, const Value& value) {

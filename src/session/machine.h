@@ -19,16 +19,21 @@ class Machine : public language::Host {
 
   // --- values
   const language::Value& variable(language::VariableId id) override;
+  const language::Array* array(language::VariableId id) override;
   language::Value internal(language::InternalId id) override;
   double attribute(language::AttributeId id, const language::Element& element, int component) override;
   bool is_defined(std::string_view name) override;
   std::shared_ptr<const std::vector<language::Element>> elements(language::ElementKind kind) override;
+  bool exists(const language::Element& element) override;
   std::optional<language::Element> numbered(language::ElementKind kind, double number) override;
   std::vector<language::Element> parts(const language::Element& element, language::ElementKind kind) override;
   language::Value call(const std::string& function, std::span<const language::Value> arguments) override;
 
   // --- changes
   void assign(language::VariableId id, language::Value value) override;
+  void make_permanent(language::VariableId id) override;
+  void set_shape(language::VariableId id, const std::vector<int>& shape) override;
+  void assign(language::VariableId id, std::size_t component, double value) override;
   void assign(language::InternalId id, const language::Value& value) override;
   void assign(language::AttributeId id, const language::Element& element, int component,
               double value) override;

@@ -6,6 +6,9 @@
 #include "session/argument_parser.h"
 #include "session/internal_variables.h"
 #include "session/quantity_parts.h"
+#include "session/refused_words.h"
+#include "session/scene_functions.h"
+#include "session/switches.h"
 #include "text/suggest.h"
 
 namespace lamella::session {
@@ -18,7 +21,7 @@ const Command* find_command(std::span<const Command* const> commands, std::strin
     if (matches(command->name) || std::any_of(command->aliases.begin(), command->aliases.end(), matches))
       return command;
   }
-  return nullptr;
+  return find_switch_command(word);
 }
 
 std::optional<language::VariableId> Names::variable(std::string_view name) const {
@@ -51,15 +54,21 @@ std::optional<int> Names::number_named(language::AttributeId attribute, std::str
   return boundary ? find(scene_.boundaries) : find(scene_.level_sets);
 }
 
-std::optional<std::size_t> Names::user_function(std::string_view name) const {
+std::optional<language::Arity> Names::user_function(std::string_view name) const {
+  const auto exactly = [](std::size_t parameters) { return language::Arity{parameters, parameters}; };
   const std::string key = text::lower(name);
   if (const auto at = promised_procedures_.find(key); at != promised_procedures_.end()) {
     if (!at->second.returns_value) return std::nullopt;
-    return at->second.parameters;
+    return exactly(at->second.parameters);
   }
   const auto at = scene_.procedures.find(key);
-  if (at == scene_.procedures.end() || !at->second.returns_value) return std::nullopt;
-  return at->second.parameters.size();
+  if (at != scene_.procedures.end() && at->second.returns_value) return exactly(at->second.parameters.size());
+  if (const SceneFunction* const found = find_scene_function(key)) return found->arity;
+  return std::nullopt;
+}
+
+std::string Names::why_refused(std::string_view word) const {
+  return std::string(refusal(word));
 }
 
 void Names::collect_names(std::vector<std::string>& into) const {
@@ -69,6 +78,7 @@ void Names::collect_names(std::vector<std::string>& into) const {
   for (const auto& [key, procedure] : scene_.procedures) {
     if (procedure.returns_value) into.push_back(procedure.name);
   }
+  for (const SceneFunction& function : scene_functions()) into.emplace_back(function.name);
 }
 
 void Names::collect_attributes(language::ElementKind kind, std::vector<std::string>& into) const {

@@ -28,7 +28,7 @@ class Names : public language::StatementScope {
   std::optional<language::AttributeMeaning> attribute(language::ElementKind kind,
                                                       std::string_view name) const override;
   std::optional<int> number_named(language::AttributeId attribute, std::string_view name) const override;
-  std::optional<std::size_t> user_function(std::string_view name) const override;
+  std::optional<language::Arity> user_function(std::string_view name) const override;
   bool has_elements() const override { return true; }
   void collect_names(std::vector<std::string>& into) const override;
   void collect_attributes(language::ElementKind kind, std::vector<std::string>& into) const override;
@@ -39,6 +39,7 @@ class Names : public language::StatementScope {
   // An attribute that the text defines before it uses it.
   void promise_attribute(language::ElementKind kind, std::string_view name, std::vector<int> shape);
   bool is_command(std::string_view word) const override { return find_command(commands_, word) != nullptr; }
+  std::string why_refused(std::string_view word) const override;
   std::unique_ptr<const language::CommandCall> parse_command(language::LexerStream& tokens) override;
   void collect_statement_words(std::vector<std::string>& into) const override;
 

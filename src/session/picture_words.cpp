@@ -11,6 +11,7 @@
 #include "picture/view_words.h"
 #include "session/element_access.h"
 #include "session/session.h"
+#include "session/show_filter.h"
 #include "text/suggest.h"
 #include "text/whole_file.h"
 
@@ -243,7 +244,8 @@ PictureOptions picture_options(Session& session, const PictureWords& words) {
   set_style(options, words);
   options.view = chosen_view(session, words);
   picture::Content& content = options.content;
-  if (words.elements) content.facets = drawn_facets(session, *words.elements);
+  const std::optional<Elements> shown = words.elements ? words.elements : shown_facets(session);
+  if (shown) content.facets = drawn_facets(session, *shown);
   if (words.color) {
     content.field = colour_field(session, words, content.facets);
     // What is measured matters more than what shines.

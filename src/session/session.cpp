@@ -9,6 +9,8 @@
 #include "session/interrupt.h"
 #include "session/machine.h"
 #include "session/progress.h"
+#include "session/show_filter.h"
+#include "session/switches.h"
 #include "session/terminal.h"
 #include "text/whole_file.h"
 
@@ -65,6 +67,7 @@ struct Session::State {
   std::string last_error;
   bool quiet = false;
   bool quit = false;
+  bool loading = false;
   long undo_request = 0;
   int reads = 0;
   bool file_missing = false;  // the last statement failed because a file could not be read
@@ -94,6 +97,9 @@ bool Session::quiet() const {
 }
 void Session::set_quiet(bool quiet) {
   state_->quiet = quiet;
+}
+bool Session::is_loading() const {
+  return state_->loading;
 }
 Output& Session::output() {
   return state_->output;
@@ -335,9 +341,9 @@ bool Session::run_or_restore(const language::Block& statement, std::optional<tex
   }
 }
 
-void Session::run_what_can_be(const text::Place& part) {
+long Session::run_what_can_be(const text::Place& part) {
   constexpr int most_told = 8;
-  int failures = 0;
+  long failures = 0;
   const auto leave_out = [&](const text::Error& error) {
     if (++failures <= most_told) warn(left_out(error));
   };
@@ -367,6 +373,7 @@ void Session::run_what_can_be(const text::Place& part) {
   }
   state_->names.forget_promises();
   if (failures > most_told) warn(fmt::format("{} more commands are left out", failures - most_told));
+  return failures;
 }
 
 void Session::run_within(const language::Block& commands) {
@@ -385,12 +392,19 @@ void Session::load(const std::string& path) {
   for (const text::Diagnostic& warning : result.warnings) warn(warning);
   state_->scene = std::move(result.scene);
   state_->counters.clear();
+  show_only(*this, {});
+  reset_switches(*this);
   seed_random(first_seed);
-  for (const text::Place& declaration : result.procedures) run_what_can_be(declaration);
-  for (const text::Place& commands : result.read_section) run_what_can_be(commands);
+  const bool outer = std::exchange(state_->loading, true);
+  long left_out = 0;
+  for (const text::Place& declaration : result.procedures) left_out += run_what_can_be(declaration);
+  for (const text::Place& commands : result.read_section) left_out += run_what_can_be(commands);
+  state_->loading = outer;
   const film::Film& film = state_->scene.film;
   tell("{}: {} vertices, {} edges, {} facets, {} bodies\n", path, film.vertex_count(), film.edge_count(),
        film.triangle_count(), scene::body_count(state_->scene));
+  if (left_out > 0)
+    tell("{} of the commands at its end {} left out\n", left_out, left_out == 1 ? "was" : "were");
 }
 
 bool Session::is_complete(const text::Place& part) {

@@ -100,11 +100,14 @@ class Session {
   void run_within(const language::Block& commands);
   // The same, but what cannot be parsed or fails is left out, with a warning that says so: the commands that
   // a datafile brings must not keep it from loading.
-  // Where a file to read is missing, the rest is left out too.
-  void run_what_can_be(const text::Place& part);
+  // Where a file to read is missing, the rest is left out too. Returns how many were left out.
+  long run_what_can_be(const text::Place& part);
   void read(const std::string& path);
-  // Replaces the scene by a datafile's and runs the commands at its end.
+  // Replaces the scene by a datafile's and runs the commands at its end. What fails among these is told and
+  // left out; the rest runs.
   void load(const std::string& path);
+  // Whether the commands at the end of a datafile run: what opens windows elsewhere does nothing then.
+  bool is_loading() const;
   // Whether nothing is missing at the text's end: a brace, a quote, an operand.
   bool is_complete(const text::Place& part);
 

@@ -32,6 +32,9 @@ std::string placeholder(const Argument& argument) {
     case ArgumentKind::selection:
       value = "elements";
       break;
+    case ArgumentKind::sample:
+      value = "(elements, value)";
+      break;
     case ArgumentKind::field:
       value = "formula";
       break;
@@ -55,7 +58,8 @@ std::string upper(std::string text) {
 std::string shown(const Argument& argument) {
   if (argument.kind == ArgumentKind::flag) return argument.name;
   if (argument.named) return fmt::format("{} {}", argument.name, placeholder(argument));
-  if (argument.kind == ArgumentKind::commands) return placeholder(argument);
+  if (argument.kind == ArgumentKind::commands || argument.kind == ArgumentKind::sample)
+    return placeholder(argument);
   return argument.choices.empty() ? upper(argument.name) : placeholder(argument);
 }
 

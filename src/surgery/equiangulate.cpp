@@ -15,15 +15,18 @@ bool is_worse_diagonal(const film::Film& film, const Diagonal& d) {
   return cosine_r + cosine_w < -1e-10;
 }
 
+bool equiangulate(film::Film& film, film::Edge e) {
+  const std::optional<Diagonal> diagonal = flippable(film, e);
+  if (!diagonal || !is_worse_diagonal(film, *diagonal) || !flip_is_flat(film, *diagonal)) return false;
+  flip(film, *diagonal);
+  return true;
+}
+
 std::uint32_t equiangulate(film::Film& film) {
   std::uint32_t flips = 0;
   for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
     const film::Edge e(i);
-    if (!film.alive(e)) continue;
-    const std::optional<Diagonal> diagonal = flippable(film, e);
-    if (!diagonal || !is_worse_diagonal(film, *diagonal) || !flip_is_flat(film, *diagonal)) continue;
-    flip(film, *diagonal);
-    ++flips;
+    if (film.alive(e) && equiangulate(film, e)) ++flips;
   }
   return flips;
 }

@@ -14,4 +14,7 @@ bool is_worse_diagonal(const film::Film& film, const Diagonal& diagonal);
 // triangulation.
 std::uint32_t equiangulate(film::Film& film);
 
+// The same for one edge. True if it was flipped.
+bool equiangulate(film::Film& film, film::Edge edge);
+
 }  // namespace lamella::surgery

@@ -49,5 +49,14 @@ TEST(List, OtherThings) {
   EXPECT_TRUE(contains(trial.failure("list nonsense"), "list does not take"));
 }
 
+TEST(List, TopAndBottomOfTheDatafile) {
+  Trial trial("cube.fe");
+  trial.out("gravity_constant := 3; x := 5");
+  EXPECT_TRUE(contains(trial.out("list topinfo"), "gravity_constant 3\n"));
+  EXPECT_FALSE(contains(trial.out("list topinfo"), "vertices"));
+  EXPECT_TRUE(trial.out("list bottominfo").starts_with("read\n"));
+  EXPECT_TRUE(contains(trial.out("list bottominfo"), "x := 5\n"));
+}
+
 }  // namespace
 }  // namespace lamella::trial
