@@ -66,6 +66,12 @@ class FilmEnergy {
   std::span<const HeavyFacet> heavy() const { return heavy_; }
   std::span<const TenseEdge> tense_edges() const { return tense_; }
   std::span<const RimEdge> rims() const { return rims_; }
+  std::span<const FieldEdge> energy_edges() const { return energy_edges_; }
+  std::span<const FieldEdge> content_edges() const { return content_edges_; }
+  std::span<const GapEdge> gaps() const { return gaps_; }
+  double gap_constant() const { return scene_.gap_constant; }
+  double time() const { return scene_.time; }
+  int edge_integral_order() const { return scene_.edge_integral_order; }
   OpenVolume open_volume() const { return open_volume_; }
   std::span<const film::Region> pressurised() const { return pressurised_; }
   std::span<const double> prescribed_pressures() const { return pressures_; }  // of `pressurised`

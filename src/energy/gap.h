@@ -23,4 +23,8 @@ std::vector<GapEdge> gap_edges(const scene::Scene& scene);
 // For k = 1, with the gradient by both ends.
 EdgeGradient gap_energy(const language::Formula& level, const Vec3& tail, const Vec3& head, double time);
 
+// Its second derivatives, by differences of the gradient (which has second derivatives of the level in it
+// already): good to about nine digits.
+EdgeHessian gap_hessian(const language::Formula& level, const Vec3& tail, const Vec3& head, double time);
+
 }  // namespace lamella::energy
