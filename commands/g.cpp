@@ -22,7 +22,8 @@ void run(Session& session, const DescendOptions& options) {
   scene::Scene& scene = session.scene();
   if (scene.empty()) throw text::Error("there is no film to move", "load a datafile first: load \"cube.fe\"");
   solve::Problem problem(scene);
-  solve::Descent descent(problem);
+  solve::Descent descent(
+      problem, scene.conjugate_gradient ? solve::DescentRule::conjugate : solve::DescentRule::steepest);
   const std::span<film::Vec3> x = scene.film.edit_positions();
   for (long i = options.steps; i > 0; --i) {
     const solve::DescentStep step = descent.step(x, scene.scale.value, scene.scale.fixed, scene.scale.limit);
@@ -46,7 +47,7 @@ void run(Session& session, const DescendOptions& options) {
 extern const Command g_command = make_command<DescendOptions>(
     {.name = "g",
      .aliases = {"go"},
-     .summary = "steepest descent, each step to the optimum of its line search, volumes kept",
+     .summary = "descent along the forces, each step to the optimum of its line search, volumes kept",
      .group = CommandGroup::motion},
     {positional("steps", &DescendOptions::steps, "how many").at_least(0)}, run);
 

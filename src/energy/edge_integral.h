@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "film/mat3.h"
 #include "scene/scene.h"
 
 namespace lamella::energy {
@@ -14,6 +15,15 @@ struct EdgeGradient {
   Vec3 from;
   Vec3 to;
 };
+
+// Second derivatives by both ends: a block of the head is d2/d(to)d(to), `from_to` is d2/d(from)d(to).
+struct EdgeHessian {
+  film::Mat3 from_from;
+  film::Mat3 to_to;
+  film::Mat3 from_to;
+};
+EdgeHessian edge_integral_hessian(const scene::EdgeIntegrand& field, const Vec3& from, const Vec3& to,
+                                  double time, int order);
 
 // An edge that a field is integrated along, so many times (negative: against its direction).
 struct FieldEdge {

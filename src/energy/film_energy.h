@@ -69,6 +69,12 @@ class FilmEnergy {
   std::span<const RimEdge> rims() const { return rims_; }
   // The second derivatives of the named quantities at given positions.
   void add_quantity_hessians(std::span<const Vec3> positions, HessianSink& sink) const;
+  std::span<const FieldEdge> energy_edges() const { return energy_edges_; }
+  std::span<const FieldEdge> content_edges() const { return content_edges_; }
+  std::span<const GapEdge> gaps() const { return gaps_; }
+  double gap_constant() const { return scene_.gap_constant; }
+  double time() const { return scene_.time; }
+  int edge_integral_order() const { return scene_.edge_integral_order; }
   OpenVolume open_volume() const { return open_volume_; }
   std::span<const film::Region> pressurised() const { return pressurised_; }
   std::span<const double> prescribed_pressures() const { return pressures_; }  // of `pressurised`

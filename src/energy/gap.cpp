@@ -169,4 +169,24 @@ EdgeGradient boundary_gap_energy(const scene::Scene& scene, const BoundaryGapEdg
   return result;
 }
 
+EdgeHessian gap_hessian(const language::Formula& level, const Vec3& tail, const Vec3& head, double time) {
+  constexpr double part = 1e-5;  // of the edge: rounding and the third derivative then weigh about the same
+  const double h = part * length(head - tail);
+  EdgeHessian result;
+  if (!(h > 0)) return result;
+  const std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  for (const Vec3& axis : axes) {
+    const EdgeGradient tail_up = gap_energy(level, tail + h * axis, head, time);
+    const EdgeGradient tail_down = gap_energy(level, tail - h * axis, head, time);
+    const EdgeGradient head_up = gap_energy(level, tail, head + h * axis, time);
+    const EdgeGradient head_down = gap_energy(level, tail, head - h * axis, time);
+    result.from_from += film::outer((0.5 / h) * (tail_up.from - tail_down.from), axis);
+    result.to_to += film::outer((0.5 / h) * (head_up.to - head_down.to), axis);
+    result.from_to += film::outer((0.5 / h) * (head_up.from - head_down.from), axis);
+  }
+  result.from_from = 0.5 * (result.from_from + transposed(result.from_from));
+  result.to_to = 0.5 * (result.to_to + transposed(result.to_to));
+  return result;
+}
+
 }  // namespace lamella::energy

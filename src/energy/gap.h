@@ -41,4 +41,8 @@ EdgeGradient boundary_gap_energy(const scene::Scene& scene, const BoundaryGapEdg
 // For k = 1, with the gradient by both ends.
 EdgeGradient gap_energy(const GapEdge& edge, const Vec3& tail, const Vec3& head, double time);
 
+// Its second derivatives, by differences of the gradient (which has second derivatives of the level in it
+// already): good to about nine digits.
+EdgeHessian gap_hessian(const language::Formula& level, const Vec3& tail, const Vec3& head, double time);
+
 }  // namespace lamella::energy

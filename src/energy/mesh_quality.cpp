@@ -9,8 +9,10 @@ namespace lamella::energy {
 
 double smallest_angle(const film::Film& film) {
   double smallest = M_PI;
+  const auto fixed = film.columns(film::ElementKind::vertex).flags("fixed");
+  const auto held = [&](film::Vertex v) { return !fixed.empty() && fixed[v.index] != 0; };
   for (const auto& c : film.connectivity().triangle_vertices) {
-    if (!c[0].valid()) continue;
+    if (!c[0].valid() || (held(c[0]) && held(c[1]) && held(c[2]))) continue;
     smallest =
         std::min(smallest, smallest_angle(film.position(c[0]), film.position(c[1]), film.position(c[2])));
   }

@@ -5,7 +5,8 @@
 
 namespace lamella::energy {
 
-// The smallest interior angle of any triangle, in radians; pi for a film without triangles.
+// The smallest interior angle of any triangle, in radians; pi for a film without triangles. Triangles whose
+// corners are all fixed do not count: nothing can be done about them.
 double smallest_angle(const film::Film& film);
 
 struct EdgeLengths {

@@ -68,8 +68,10 @@ void VertexConstraints::renew_levels(Held& held, const Vec3& at, const Vec3* for
       const double outward = set.sense == Sense::nonnegative ? -1 : 1;
       if (force != nullptr && outward * dot(*force, level.gradient) < 0) continue;
     }
+    held.active[static_cast<std::size_t>(held.count)] = number;
     held.directions[static_cast<std::size_t>(held.count++)] = level.gradient;
   }
+  held.active_count = held.count;
   held.count = scene::orthonormalise(std::span(held.directions.data(), static_cast<std::size_t>(held.count)));
 }
 
@@ -127,6 +129,58 @@ int VertexConstraints::allowed(std::uint32_t vertex, std::array<Vec3, 3>& direct
     ++count;
   }
   return count;
+}
+
+film::Mat3 VertexConstraints::curvature(std::uint32_t vertex, const Vec3& at, const Vec3& force) const {
+  const Held& held = held_[index_[vertex]];
+  return held.boundary != 0 ? boundary_curvature(held, force) : level_curvature(held, at, force);
+}
+
+// The force across is a sum of gradients; each level's share times its Hessian.
+film::Mat3 VertexConstraints::level_curvature(const Held& held, const Vec3& at, const Vec3& force) const {
+  std::array<Vec3, 3> gradients;
+  std::array<film::Mat3, 3> hessians;
+  const auto count = static_cast<std::size_t>(held.active_count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const scene::LevelSet& set = scene_.level_sets.at(held.active[i]);
+    std::vector<double> attributes;
+    if (!set.formula.attributes().empty())
+      attributes = scene::attributes_of(scene_.film, set.formula, held.vertex);
+    const language::Jet jet = set.formula.hessian({std::array{at.x, at.y, at.z}, scene_.time, attributes});
+    gradients[i] = {jet.gradient[0], jet.gradient[1], jet.gradient[2]};
+    hessians[i] = film::symmetric(jet.hessian);
+  }
+  const std::array<double, 3> share = scene::shares(std::span(gradients.data(), count), force);
+  film::Mat3 block;
+  for (std::size_t i = 0; i < count; ++i) block += share[i] * hessians[i];
+  return block;
+}
+
+// u = sum of tangents times changes of parameters; the curve bends away by half its second derivative.
+film::Mat3 VertexConstraints::boundary_curvature(const Held& held, const Vec3& force) const {
+  const scene::Boundary& boundary = scene_.boundaries.at(held.boundary);
+  const scene::BoundaryPoint point = scene::boundary_point(scene_, boundary, held.parameters);
+  const auto count = static_cast<std::size_t>(boundary.parameters);
+  const std::span tangents(point.tangents.data(), count);
+  const Vec3 across = force - restricted_by(held, force);
+  std::array<Vec3, 3> change;  // of parameter i: change[i] . u
+  const std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::array<double, 3> share = scene::shares(tangents, axes[static_cast<std::size_t>(axis)]);
+    for (std::size_t i = 0; i < count; ++i) change[i][axis] = share[i];
+  }
+  film::Mat3 block;
+  for (int axis = 0; axis < 3; ++axis) {
+    const language::Formula& formula = boundary.position[static_cast<std::size_t>(axis)];
+    if (!formula) continue;
+    const film::Mat3 h = film::symmetric(formula.hessian({held.parameters, scene_.time, {}}).hessian);
+    const std::array<Vec3, 3> row{h.x, h.y, h.z};
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j)
+        block -= across[axis] * row[i][static_cast<int>(j)] * film::outer(change[i], change[j]);
+    }
+  }
+  return block;
 }
 
 bool VertexConstraints::project(std::span<Vec3> x) {

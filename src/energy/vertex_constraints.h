@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "film/mat3.h"
 #include "scene/scene.h"
 
 namespace lamella::energy {
@@ -39,6 +40,11 @@ class VertexConstraints {
   // An orthonormal set of the directions left to a held vertex; returns how many.
   int allowed(std::uint32_t vertex, std::array<Vec3, 3>& directions) const;
 
+  // What constraints add to second derivatives at a held vertex: a vertex that moves within them by u moves
+  // across them by a term of second order, against which `force` (minus the gradient, unrestricted) works.
+  // The block B of the second variation u . B u, for u among the directions allowed.
+  film::Mat3 curvature(std::uint32_t vertex, const Vec3& at, const Vec3& force) const;
+
   // Puts the held vertices of x onto their constraints. A fixed vertex on a boundary goes where its
   // parameters are now (a boundary may move in time), one on a level set stays. False if one of them cannot
   // be put there.
@@ -64,7 +70,11 @@ class VertexConstraints {
     // Orthonormal: the directions forbidden (level sets) or the only ones allowed (boundaries).
     std::array<Vec3, 3> directions;
     int count = 0;
+    std::array<int, 3> active{};  // the level sets that `directions` come from, before any was left out
+    int active_count = 0;
   };
+  film::Mat3 level_curvature(const Held& held, const Vec3& at, const Vec3& force) const;
+  film::Mat3 boundary_curvature(const Held& held, const Vec3& force) const;
   static Vec3 restricted_by(const Held& held, const Vec3& vector);
   void renew_levels(Held& held, const Vec3& at, const Vec3* force);
   void renew_boundary(Held& held, const Vec3& at);

@@ -264,6 +264,16 @@ void VolumeGradient::set_multipliers(std::span<const double> multipliers) {
   }
 }
 
+Vec3 VolumeGradient::unrestricted_pull(std::size_t vertex) const {
+  const std::uint32_t place = place_of_vertex_[vertex];
+  if (place == none || place < pairs_.size()) return pull(vertex);
+  const Border& border = borders_[place - pairs_.size()];
+  Vec3 sum;
+  for (std::uint32_t s = border.first; s < border.last; ++s)
+    sum += multipliers_[static_cast<std::size_t>(slots_[s].row)] * slots_[s].unrestricted;
+  return sum;
+}
+
 Vec3 VolumeGradient::border_pull(const Border& border) const {
   Vec3 sum;
   for (std::uint32_t s = border.first; s < border.last; ++s) {

@@ -55,6 +55,9 @@ class VolumeGradient {
     return border_pull(borders_[place - pairs_.size()]);
   }
 
+  // The same at a vertex with a list of its own, before constraints took their part out.
+  Vec3 unrestricted_pull(std::size_t vertex) const;
+
   // Calls function(vertex row, row i) wherever row i may be nonzero: the pattern, known before any update.
   template <class Function>
   void for_each_entry(Function&& function) const {

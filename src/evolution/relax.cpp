@@ -4,8 +4,12 @@
 #include <cmath>
 
 #include "energy/mesh_quality.h"
+#include "energy/plateau.h"
+#include "energy/triangle.h"
 #include "scene/constraint_sets.h"
 #include "solve/reach_volumes.h"
+#include "solve/newton.h"
+#include "solve/saddle.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
 
@@ -13,6 +17,7 @@ namespace lamella::evolution {
 
 namespace {
 
+using film::Vec3;
 using solve::Ending;
 using solve::MotionKind;
 
@@ -22,9 +27,41 @@ constexpr long free_iterations = 15;
 constexpr double near = 1e-4;
 // A mesh is fit while no angle is smaller than this (radians); upkeep goes on while it helps.
 constexpr double fit_angle = 20 * M_PI / 180;
-constexpr int most_upkeep_passes = 4;
+constexpr int most_upkeep_passes = 20;
+constexpr int patience = 4;  // passes without a better smallest angle
 constexpr int most_flip_passes = 3;
 constexpr int upkeep_rounds = 5;
+// Newton's method takes over where the residual is so small: from there it needs two or three steps.
+constexpr double newton_near = 1e-6;
+constexpr long most_newton_steps = 12;
+// Where it does not get there, descent goes on by so many iterations, and it is tried again.
+constexpr long iterations_between = 100;
+constexpr int most_finishes = 6;
+constexpr int most_departures = 5;
+// A film collapses where a facet has less than this part of the mean area, and of the smallest at the start,
+// and upkeep cannot mend its angles (radians).
+constexpr double vanishing = 1e-6;
+constexpr double shrunk = 1e-2;
+constexpr double hopeless_angle = 2 * M_PI / 180;
+
+struct FacetSizes {
+  double smallest = HUGE_VAL;
+  double mean = 0;
+  film::Triangle which;
+};
+
+FacetSizes facet_sizes(const film::Film& film) {
+  FacetSizes sizes;
+  for (std::uint32_t t = 0; t < film.triangle_rows(); ++t) {
+    const auto& c = film.corners(film::Triangle(t));
+    const double area = energy::triangle_area(film.position(c[0]), film.position(c[1]), film.position(c[2]));
+    sizes.mean += area / film.triangle_rows();
+    if (area >= sizes.smallest) continue;
+    sizes.smallest = area;
+    sizes.which = film::Triangle(t);
+  }
+  return sizes;
+}
 
 // Runs one stretch of the minimiser, and adds what it did to the report.
 class Relaxer {
@@ -38,13 +75,22 @@ class Relaxer {
   bool meet_targets();
   void minimise(MotionKind motion, long iterations, double tolerance);
   bool going() const { return report_.ending == Ending::converged || report_.ending == Ending::step_limit; }
+  bool exhausted() const { return report_.iterations >= options_.most_iterations; }
   bool far_from_end() const { return report_.residual > near; }
   bool keep_mesh();
+  bool start_near();
+  void approach();
+  void tidy();
+  void finish();
+  bool find_collapse();
+  bool newton();
+  bool leave();
 
   scene::Scene& scene_;
   const RelaxOptions& options_;
   scene::Monitor& monitor_;
   RelaxReport report_;
+  FacetSizes at_start_;
 };
 
 bool Relaxer::meet_targets() {
@@ -52,9 +98,10 @@ bool Relaxer::meet_targets() {
   bool ok = false;
   report_.energy = problem.linearise(scene_.film.positions(), ok);
   if (ok && problem.volume_error() < 1e-12 && problem.energy().constraints().empty()) return true;
-  if (ok)
+  if (ok) {
     ok = solve::reach_volumes(scene_, problem, scene_.film.edit_positions(), report_.energy) ==
          Ending::converged;
+  }
   if (!ok) report_.ending = std::isfinite(report_.energy) ? Ending::volume_lost : Ending::not_finite;
   problem.publish(scene_);
   return ok;
@@ -75,12 +122,13 @@ void Relaxer::minimise(MotionKind motion, long iterations, double tolerance) {
   report_.residual = part.residual;
 }
 
-// Flips and one averaging, and more of both while the mesh is unfit and gets better. False if that gained
-// nothing.
+// Flips and one averaging, and more of both while the mesh is unfit and still gets better. False if that
+// gained nothing.
 bool Relaxer::keep_mesh() {
   const double start = energy::smallest_angle(scene_.film);
-  double before = start;
-  for (int pass = 0; pass < most_upkeep_passes; ++pass) {
+  double best = start;
+  int since_best = 0;
+  for (int pass = 0; pass < most_upkeep_passes && since_best < patience; ++pass) {
     for (int flips = 0; flips < most_flip_passes; ++flips) {
       const std::uint32_t made = surgery::equiangulate(scene_.film);
       report_.flips += made;
@@ -88,31 +136,123 @@ bool Relaxer::keep_mesh() {
     }
     surgery::average_vertices(scene_.film);
     scene::constrain_vertices(scene_);
-    const double after = energy::smallest_angle(scene_.film);
-    if (after > fit_angle || (pass > 0 && after < before)) break;
-    before = after;
+    const double now = energy::smallest_angle(scene_.film);
+    if (now > fit_angle) break;
+    since_best = now > best ? 0 : since_best + 1;
+    best = std::max(best, now);
   }
   return meet_targets() && energy::smallest_angle(scene_.film) > start;
 }
 
+// From a refined equilibrium: it only has to be smoothed. False if that was too much for Newton's method.
+bool Relaxer::start_near() {
+  if (!options_.near_start || report_.saddles_left > 0) return false;
+  if (options_.upkeep && !keep_mesh() && !going()) return false;
+  return newton() && (!options_.upkeep || energy::smallest_angle(scene_.film) > fit_angle);
+}
+
+// Free motion from afar, and upkeep in between.
+void Relaxer::approach() {
+  for (int round = 0; round < free_rounds && going(); ++round) {
+    minimise(MotionKind::full, free_iterations, std::max(near, options_.tolerance));
+    if (!going() || exhausted()) return;
+    if (options_.upkeep) keep_mesh();
+    if (find_collapse() || !far_from_end()) return;
+  }
+}
+
+// Near the end, while the mesh is unfit and gets better.
+void Relaxer::tidy() {
+  for (int round = 0; round < upkeep_rounds && options_.upkeep && going() && !exhausted(); ++round) {
+    if (energy::smallest_angle(scene_.film) > fit_angle) return;
+    minimise(MotionKind::normal, free_iterations, std::max(near * near, options_.tolerance));
+    if (exhausted() || !keep_mesh()) return;
+  }
+}
+
+// Newton's steps, and stability by the last one. True if the residual met the tolerance.
+bool Relaxer::newton() {
+  solve::Problem problem(scene_);
+  solve::Newton method(problem, scene_.film, MotionKind::normal);
+  solve::NewtonOptions options;
+  options.tolerance = options_.tolerance;
+  options.most_steps = std::min(most_newton_steps, options_.most_iterations - report_.iterations);
+  const solve::NewtonReport part = solve::newton(method, scene_.film.edit_positions(), options, monitor_);
+  problem.publish(scene_);
+  report_.iterations += part.steps;
+  report_.newton_steps += part.steps;
+  report_.energy = part.energy;
+  if (part.ending == Ending::stopped) report_.ending = Ending::stopped;
+  if (part.ending != Ending::converged) return false;
+  report_.ending = Ending::converged;
+  report_.residual = part.residual;
+  report_.stability = part.stability;
+  return true;
+}
+
+// Descent along normals until Newton's method can take over, and that. Where it does not get there, descent
+// goes farther before the next try.
+void Relaxer::finish() {
+  double wanted = newton_near;
+  int tries = 0;
+  while (going() && !exhausted()) {
+    minimise(MotionKind::normal, iterations_between, std::max(wanted, options_.tolerance));
+    if (report_.converged() && options_.tolerance >= wanted) return;
+    if (find_collapse()) return;
+    // The way is longer than it looked: free motion gets on faster.
+    if (report_.ending == Ending::step_limit && far_from_end()) approach();
+    const bool stuck = report_.ending == Ending::stuck;
+    // Descent may crawl where Newton's method strides.
+    if (!going() && !stuck) return;
+    if (far_from_end() && !stuck) continue;
+    if (exhausted() || newton() || stuck || report_.ending == Ending::stopped) return;
+    wanted = ++tries < most_finishes ? 0.01 * std::min(wanted, std::abs(report_.residual)) : 0;
+  }
+}
+
+// Whether the whole film all but vanished, or a facet that was not like that at the start.
+bool Relaxer::find_collapse() {
+  const FacetSizes sizes = facet_sizes(scene_.film);
+  const bool gone = sizes.mean < vanishing * at_start_.mean;
+  const bool vanishes =
+      sizes.smallest < vanishing * sizes.mean && sizes.smallest < shrunk * at_start_.smallest;
+  if (!gone && !(vanishes && energy::smallest_angle(scene_.film) < hopeless_angle)) return false;
+  report_.ending = Ending::collapsed;
+  report_.pinch = scene_.film.position(scene_.film.corners(sizes.which)[0]);
+  return true;
+}
+
+// Down from a saddle. False if there is no way, or no wish.
+bool Relaxer::leave() {
+  if (!options_.leave_saddle || !report_.converged() || !report_.stability.known) return false;
+  if (report_.stability.negative_modes == 0 || report_.saddles_left == most_departures) return false;
+  solve::Problem problem(scene_);
+  solve::NewtonSystem system(problem, scene_.film, MotionKind::normal);
+  const std::span<Vec3> x = scene_.film.edit_positions();
+  bool ok = false;
+  system.linearise(x, ok);
+  if (!ok || !solve::leave_saddle(system, x, HUGE_VAL, monitor_).moved) return false;
+  report_.stability = {};
+  ++report_.saddles_left;
+  return true;
+}
+
 RelaxReport Relaxer::run() {
+  at_start_ = facet_sizes(scene_.film);
   if (!meet_targets()) return report_;
   if (options_.motion) {
     minimise(*options_.motion, options_.most_iterations, options_.tolerance);
-    return report_;
+  } else {
+    do {
+      if (start_near()) continue;
+      approach();
+      tidy();
+      if (going() && !exhausted()) finish();
+    } while (leave());
   }
-  for (int round = 0; round < free_rounds && going(); ++round) {
-    minimise(MotionKind::full, free_iterations, std::max(near, options_.tolerance));
-    if (!going() || report_.iterations >= options_.most_iterations) return report_;
-    if (options_.upkeep) keep_mesh();
-    if (!far_from_end()) break;
-  }
-  for (int round = 0; round < upkeep_rounds && options_.upkeep && going(); ++round) {
-    if (energy::smallest_angle(scene_.film) > fit_angle) break;
-    minimise(MotionKind::normal, free_iterations, std::max(near * near, options_.tolerance));
-    if (report_.iterations >= options_.most_iterations || !keep_mesh()) break;
-  }
-  if (going()) minimise(MotionKind::normal, options_.most_iterations, options_.tolerance);
+  report_.smallest_angle = energy::smallest_angle(scene_.film);
+  const energy::PlateauAngles angles = energy::plateau_angles(scene_.film);
+  report_.crowded = angles.other_borders + angles.other_points;
   return report_;
 }
 

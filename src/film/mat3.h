@@ -1,6 +1,8 @@
 // A linear map of space, by rows.
 #pragma once
 
+#include <array>
+
 #include "film/vec3.h"
 
 namespace lamella::film {
@@ -29,6 +31,11 @@ constexpr Mat3 transposed(const Mat3& a) {
 
 constexpr Mat3 identity3() {
   return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+}
+
+// From xx, xy, xz, yy, yz, zz.
+constexpr Mat3 symmetric(const std::array<double, 6>& h) {
+  return {{h[0], h[1], h[2]}, {h[1], h[3], h[4]}, {h[2], h[4], h[5]}};
 }
 
 // v -> a (b . v)

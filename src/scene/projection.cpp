@@ -123,6 +123,17 @@ bool project_to_level_sets(const Scene& scene, std::span<const int> numbers, std
   return false;
 }
 
+std::array<double, 3> shares(std::span<const Vec3> vectors, const Vec3& vector) {
+  std::array<std::array<double, 3>, 3> gram{};
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    result[i] = dot(vectors[i], vector);
+    for (std::size_t j = 0; j < vectors.size(); ++j) gram[i][j] = dot(vectors[i], vectors[j]);
+  }
+  solve_small(static_cast<int>(vectors.size()), gram, result);
+  return result;
+}
+
 BoundaryPoint boundary_point(const Scene& scene, const Boundary& boundary,
                              const std::array<double, 3>& parameters) {
   BoundaryPoint point;

@@ -45,6 +45,10 @@ double approach_parameters(const Scene& scene, const Boundary& boundary, const f
 bool nearest_parameters(const Scene& scene, const Boundary& boundary, const film::Vec3& target,
                         std::array<double, 3>& parameters);
 
+// The part of a vector that up to three others span, as multiples of them (by least squares; 0 for one that
+// depends on the others).
+std::array<double, 3> shares(std::span<const film::Vec3> vectors, const film::Vec3& vector);
+
 // An orthonormal set spanned by vectors, leaving out what depends on others; returns how many.
 int orthonormalise(std::span<film::Vec3> vectors);
 

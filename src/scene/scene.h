@@ -84,7 +84,9 @@ struct Scene {
   bool interpolate_parameters = false;
   Gravity gravity;
   DescentScale scale;
-  bool keep_volumes = true;  // vc on|off
+  bool conjugate_gradient = false;  // whether g goes by conjugate directions (conj_grad)
+  bool hessian_normal = true;       // whether Newton's method moves vertices along normals only
+  bool keep_volumes = true;         // vc on|off
   bool symmetric_content =
       false;           // how the volume of a body that is not closed is measured (energy/volume.h)
   double time = 0;     // total_time

@@ -18,8 +18,33 @@ double first_scale(const Problem& problem) {
   return stiffest > 0 ? 1 / stiffest : 0;
 }
 
-Descent::Descent(Problem& problem)
-    : problem_(problem), from_(problem.vertex_count()), direction_(problem.vertex_count()) {}
+Descent::Descent(Problem& problem, DescentRule rule)
+    : problem_(problem), rule_(rule), from_(problem.vertex_count()), direction_(problem.vertex_count()) {
+  if (rule_ == DescentRule::steepest) return;
+  force_.resize(problem.vertex_count());
+  last_force_.resize(problem.vertex_count());
+}
+
+// Adds what is left of the last direction to the force, of the given square, and leaves the sum as the new
+// direction. Returns minus the slope along it.
+double Descent::conjugate(double squared) {
+  double change = 0;
+  for (std::size_t v = 0; v < force_.size(); ++v) change += dot(force_[v], force_[v] - last_force_[v]);
+  const double beta = last_squared_ > 0 ? std::max(0.0, change / last_squared_) : 0;
+  problem_.project(direction_);
+  double slope = 0;
+  for (std::size_t v = 0; v < force_.size(); ++v) {
+    direction_[v] = force_[v] + beta * direction_[v];
+    slope += dot(force_[v], direction_[v]);
+  }
+  if (!(slope > 0)) {
+    direction_ = force_;
+    slope = squared;
+  }
+  std::swap(last_force_, force_);
+  last_squared_ = squared;
+  return slope;
+}
 
 void Descent::place(std::span<Vec3> x, double scale) const {
   for (std::size_t v = 0; v < from_.size(); ++v) x[v] = from_[v] + scale * direction_[v];
@@ -33,7 +58,9 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
     return {std::isfinite(energy) ? Ending::volume_lost : Ending::not_finite, energy,
             problem_.energy().area()};
   std::copy(x.begin(), x.end(), from_.begin());
-  const double squared = problem_.descent_direction(direction_);
+  const bool steepest = rule_ == DescentRule::steepest;
+  const double steep = problem_.descent_direction(steepest ? direction_ : force_);
+  const double squared = steepest ? steep : conjugate(steep);
   if (!std::isfinite(squared)) return {Ending::not_finite, energy, problem_.energy().area()};
   const double start = problem_.merit(x);
   if (fixed) {
@@ -42,7 +69,14 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
   }
   if (!(scale > 0)) scale = first_scale(problem_);
   scale = std::min(scale, limit);
-  if (squared == 0 || !search(x, start, squared, scale, limit)) {
+  bool found = squared != 0 && search(x, start, squared, scale, limit);
+  if (!found && !steepest && squared != 0) {
+    // Conjugate to a past that no longer counts: begin anew.
+    direction_ = last_force_;
+    scale = std::min(first_scale(problem_), limit);
+    found = search(x, start, steep, scale, limit);
+  }
+  if (!found) {
     place(x, 0);
     DescentStep none = finish(x, 0, squared, start);
     if (none.ending == Ending::step_limit) none.ending = squared == 0 ? Ending::converged : Ending::stuck;

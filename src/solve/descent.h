@@ -1,4 +1,5 @@
-// Steepest descent: one step along the projected gradient, to the optimum of a line search, volumes restored.
+// Descent: one step along the projected gradient, or along a direction conjugate to those before, to the
+// optimum of a line search, volumes restored.
 #pragma once
 
 #include <vector>
@@ -22,9 +23,14 @@ struct DescentStep {
 // slope at 0 is known, so one trial at the last scale gives a parabola and its minimum the step. The step is
 // taken if the merit then lies below its value at 0, else it is shortened. When nothing lowers the merit,
 // positions are left as they were.
+//
+// Conjugate directions (E. Polak and G. Ribiere's, which begin anew by themselves where they lose their
+// worth) bend each force by the last direction; Evolver's `U`.
+enum class DescentRule : std::uint8_t { steepest, conjugate };
+
 class Descent {
  public:
-  explicit Descent(Problem& problem);
+  explicit Descent(Problem& problem, DescentRule rule = DescentRule::steepest);
 
   // `scale` is the first guess, and on return the scale used; with `fixed` it is used as it is, whatever the
   // energy does (only a result that is not finite is undone). Scales stay below `limit`.
@@ -33,9 +39,15 @@ class Descent {
  private:
   void place(std::span<Vec3> x, double scale) const;
   bool search(std::span<Vec3> x, double start, double squared, double& scale, double limit);
+  double conjugate(double squared);
   DescentStep finish(std::span<Vec3> x, double scale, double squared, double start);
 
   Problem& problem_;
+  DescentRule rule_;
+  // With conjugate directions: the force here and at the step before, and its square there.
+  std::vector<Vec3> force_;
+  std::vector<Vec3> last_force_;
+  double last_squared_ = 0;
   std::vector<Vec3> from_;
   std::vector<Vec3> direction_;
 };

@@ -34,6 +34,11 @@ void Freedom::renew(std::span<const Vec3> x) {
   for (const Line& line : lines_) direction_[line.vertex] = unit(x[line.after] - x[line.before]);
 }
 
+std::optional<Vec3> Freedom::along_line(std::size_t vertex) const {
+  if (kind_.empty() || kind_[vertex] != Kind::square) return std::nullopt;
+  return direction_[vertex];
+}
+
 std::uint32_t Freedom::count(std::size_t vertex) const {
   if (kind_.empty() || kind_[vertex] == Kind::free) return 3;
   return kind_[vertex] == Kind::along ? 1 : 2;

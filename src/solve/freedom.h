@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,9 @@ class Freedom {
 
   // Takes out of a field (a row a vertex) what the vertices are not free to do.
   void restrict(std::span<Vec3> field) const;
+
+  // The direction along a border or rim in which a vertex would only slide, if it lies on one.
+  std::optional<Vec3> along_line(std::size_t vertex) const;
 
   // What is left to a vertex: so many directions, however the film lies, and at the last `renew` these
   // (orthonormal; the rest of the three is to be ignored).

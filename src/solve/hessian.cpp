@@ -10,6 +10,8 @@ namespace {
 
 using film::Mat3;
 
+constexpr double no_direction = 1e20;
+
 constexpr std::size_t next_of(std::size_t corner) {
   return (corner + 1) % 3;
 }
@@ -133,6 +135,8 @@ void ConstrainedHessian::assemble(const Problem& problem, const Basis& basis, st
   add_quantities(problem.energy(), basis, x);
   add_films(problem.energy(), basis, x, pressure);
   add_other_terms(problem.energy(), basis, x, pressure);
+  add_fields(problem.energy(), basis, x, pressure);
+  add_constraints(problem, basis, x);
   add_borders(problem, basis);
   const std::span<const energy::VertexLine> lines = problem.energy().lines();
   double total = 0;
@@ -141,8 +145,8 @@ void ConstrainedHessian::assemble(const Problem& problem, const Basis& basis, st
   for (std::size_t v = 0; v < basis.vertex_count(); ++v) {
     for (std::size_t i = basis.first(v); i < basis.first(v + 1); ++i) {
       mass_[i] = std::max(lines[v].area, least);
-      // What nothing pulls at stays where it is.
-      if (value(column(i)) == 0) value(column(i)) = 1;
+      // What nothing pulls at stays where it is. A direction that is none lies above all modes.
+      if (value(column(i)) == 0) value(column(i)) = basis.direction(i) == Vec3{} ? no_direction : 1;
     }
   }
 }
@@ -266,6 +270,39 @@ void ConstrainedHessian::add_other_terms(const energy::FilmEnergy& energy, const
     add_mixed(basis, rim.from.index, rim.to.index, entry_of(rim.from.index, rim.to.index),
               factor * h.from_to);
   }
+}
+
+void ConstrainedHessian::add_edge(const Basis& basis, film::Vertex from, film::Vertex to, double factor,
+                                  const energy::EdgeHessian& h) {
+  add_own(basis, from.index, factor * h.from_from);
+  add_own(basis, to.index, factor * h.to_to);
+  add_mixed(basis, from.index, to.index, entry_of(from.index, to.index), factor * h.from_to);
+}
+
+// Energies and contents along edges on constraints.
+void ConstrainedHessian::add_fields(const energy::FilmEnergy& energy, const Basis& basis,
+                                    std::span<const Vec3> x, std::span<const double> pressure) {
+  const auto integral = [&](const energy::FieldEdge& edge, double factor) {
+    if (factor == 0) return;
+    add_edge(basis, edge.from, edge.to, factor,
+             energy::edge_integral_hessian(*edge.field, x[edge.from.index], x[edge.to.index], energy.time(),
+                                           energy.edge_integral_order()));
+  };
+  for (const energy::FieldEdge& edge : energy.energy_edges()) integral(edge, edge.times);
+  for (const energy::FieldEdge& edge : energy.content_edges())
+    integral(edge, -pressure[edge.region.index] * edge.times);
+  for (const energy::GapEdge& gap : energy.gaps()) {
+    add_edge(basis, gap.tail, gap.head, energy.gap_constant(),
+             energy::gap_hessian(*gap.level, x[gap.tail.index], x[gap.head.index], energy.time()));
+  }
+}
+
+void ConstrainedHessian::add_constraints(const Problem& problem, const Basis& basis,
+                                         std::span<const Vec3> x) {
+  const energy::VertexConstraints& constraints = problem.energy().constraints();
+  constraints.for_each([&](std::uint32_t v) {
+    if (basis.count(v) > 0) add_own(basis, v, constraints.curvature(v, x[v], problem.force(v)));
+  });
 }
 
 // A body that nothing can move gets a pivot of its own: its multiplier is then 0.

@@ -26,7 +26,8 @@ class ConstrainedHessian {
   std::size_t unknowns() const { return unknowns_; }
   std::size_t constraints() const { return constraints_; }
 
-  // At the positions of the problem's last `linearise`, with its pressures; one pass over the triangles.
+  // At the positions of the problem's last `linearise` and `descent_direction`, with its pressures; one pass
+  // over the triangles.
   void assemble(const Problem& problem, const Basis& basis, std::span<const Vec3> x);
   // Sets the shift; 0 after `assemble`.
   void set_shift(double shift);
@@ -52,6 +53,11 @@ class ConstrainedHessian {
                  std::span<const double> pressure);
   void add_other_terms(const energy::FilmEnergy& energy, const Basis& basis, std::span<const Vec3> x,
                        std::span<const double> pressure);
+  void add_fields(const energy::FilmEnergy& energy, const Basis& basis, std::span<const Vec3> x,
+                  std::span<const double> pressure);
+  void add_edge(const Basis& basis, film::Vertex from, film::Vertex to, double factor,
+                const energy::EdgeHessian& h);
+  void add_constraints(const Problem& problem, const Basis& basis, std::span<const Vec3> x);
   void add_borders(const Problem& problem, const Basis& basis);
   void add_own(const Basis& basis, std::uint32_t v, const film::Mat3& block);
   void add_mixed(const Basis& basis, std::uint32_t u, std::uint32_t v, int entry, const film::Mat3& block);

@@ -28,10 +28,7 @@ class Lanczos {
   std::vector<Mode> run(scene::Monitor& monitor);
 
  private:
-  Eigen::Index freedoms() const {
-    return std::max<Eigen::Index>(0, static_cast<Eigen::Index>(system_.hessian().unknowns()) -
-                                         static_cast<Eigen::Index>(system_.hessian().constraints()));
-  }
+  Eigen::Index freedoms() const { return static_cast<Eigen::Index>(system_.mode_count()); }
   bool find_shift();
   Matrix random_block();
   Matrix apply(const Matrix& v);

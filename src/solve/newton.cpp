@@ -13,6 +13,10 @@ constexpr int most_trials = 30;
 constexpr double first_shift = 0.1;
 constexpr double shift_growth = 5;
 constexpr int most_shifts = 20;
+// An old factorisation serves while each step with it leaves less than this part of the residual.
+constexpr double worth_it = 0.3;
+// The inertia of a factorisation this near to the equilibrium is that of the equilibrium.
+constexpr double near_enough = 3e-5;
 // Sums over a film are known to about this part of the energy: smaller differences say nothing.
 constexpr double rounding = 1e-13;
 
@@ -47,6 +51,7 @@ bool Newton::find_direction(std::span<const Vec3> x, SaddlePolicy policy, Newton
     result.ending = Ending::not_finite;
     return false;
   }
+  last_residual_ = result.residual;
   system_.basis().expand(reduced_, direction_);
   return true;
 }
@@ -106,6 +111,26 @@ NewtonStep Newton::step(std::span<Vec3> x, SaddlePolicy policy) {
   return result;
 }
 
+NewtonStep Newton::step_again(std::span<Vec3> x) {
+  NewtonStep result;
+  bool ok = false;
+  result.energy = system_.linearise_nearby(x, ok);
+  result.area = problem_.energy().area();
+  result.ending = Ending::stuck;
+  if (!ok) return result;
+  std::copy(x.begin(), x.end(), from_.begin());
+  slope_ = system_.step(reduced_);
+  result.residual = -0.5 * slope_ / std::abs(result.energy);
+  if (!(std::abs(result.residual) < worth_it * std::abs(last_residual_))) return result;
+  system_.basis().expand(reduced_, direction_);
+  if (search(x, result.residual < 0, result)) {
+    result.ending = Ending::step_limit;
+    last_residual_ = result.residual;
+  }
+  finish(x, result);
+  return result;
+}
+
 NewtonStep Newton::look(std::span<const Vec3> x) {
   NewtonStep result;
   find_direction(x, SaddlePolicy::keep, result);
@@ -145,15 +170,33 @@ NewtonStep Newton::seek(std::span<Vec3> x, double longest) {
   return result;
 }
 
+namespace {
+
+// The inertia of the last factorisation, or of a new one where that was made too far away or shifted.
+Stability stability_at_end(Newton& method, std::span<const Vec3> x, const NewtonStep& factorised) {
+  const bool near = std::abs(factorised.residual) < near_enough && factorised.shift == 0;
+  if (near && factorised.negative_modes == 0) return {true, 0, 0};
+  bool ok = false;
+  method.system().linearise(x, ok);
+  return ok ? stability(method.system()) : Stability{};
+}
+
+}  // namespace
+
 NewtonReport newton(Newton& method, std::span<Vec3> x, const NewtonOptions& options,
                     scene::Monitor& monitor) {
   NewtonReport report;
   report.ending = Ending::step_limit;
+  SaddlePolicy policy = options.saddle;
+  NewtonStep factorised;
+  bool again = false;
   while (report.steps < options.most_steps) {
-    const NewtonStep step = method.step(x, options.saddle);
+    NewtonStep step;
+    if (again) step = method.step_again(x);
+    again = again && step.ending == Ending::step_limit;
+    if (!again) factorised = step = method.step(x, policy);
     report.energy = step.energy;
     report.residual = step.residual;
-    report.negative_modes = step.negative_modes;
     if (step.ending != Ending::step_limit) {
       report.ending = step.ending;
       break;
@@ -161,9 +204,16 @@ NewtonReport newton(Newton& method, std::span<Vec3> x, const NewtonOptions& opti
     ++report.steps;
     monitor.progress(report.steps, options.most_steps, step.energy);
     if (std::abs(step.residual) < options.tolerance && step.fraction == 1) {
+      if (factorised.shift != 0 && policy == SaddlePolicy::shift) {
+        policy = SaddlePolicy::keep;
+        again = false;
+        continue;
+      }
       report.ending = Ending::converged;
+      report.stability = stability_at_end(method, x, factorised);
       break;
     }
+    again = step.fraction == 1 && factorised.shift == 0;
     if (monitor.stop_requested()) {
       report.ending = Ending::stopped;
       break;

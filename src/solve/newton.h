@@ -3,6 +3,7 @@
 
 #include "scene/monitor.h"
 #include "solve/newton_system.h"
+#include "solve/stability.h"
 
 namespace lamella::solve {
 
@@ -33,6 +34,9 @@ class Newton {
   // kept: until it changes as the model says, to a half); where nothing helps, positions stay as they were
   // and the ending is `stuck`. Volumes must be right before it.
   NewtonStep step(std::span<Vec3> x, SaddlePolicy policy);
+  // A step with the factorisation of the last one, where that still serves: else nothing moves, and the
+  // ending is `stuck`. The residual must have fallen by more than a little, to be worth it.
+  NewtonStep step_again(std::span<Vec3> x);
   // To the lowest energy along the direction (both ways), up to `longest` times the full step.
   NewtonStep seek(std::span<Vec3> x, double longest);
   // The residual at x, and negative modes; nothing moves.
@@ -54,6 +58,7 @@ class Newton {
   std::vector<Vec3> direction_;
   double slope_ = 0;
   double last_shift_ = 0;
+  double last_residual_ = 0;
 };
 
 struct NewtonOptions {
@@ -68,10 +73,11 @@ struct NewtonReport {
   long steps = 0;
   double energy = 0;
   double residual = 0;
-  int negative_modes = 0;  // at the end
+  Stability stability;  // known if converged: by the factorisation of the last step
 };
 
-// Steps until the residual is below the tolerance and the last step has been made.
+// Steps until the residual is below the tolerance and the last step has been made. Where that ends at a
+// saddle in spite of SaddlePolicy::shift, because no force points away from it, the last steps keep it.
 NewtonReport newton(Newton& method, std::span<Vec3> x, const NewtonOptions& options, scene::Monitor& monitor);
 
 }  // namespace lamella::solve

@@ -1,6 +1,7 @@
 #include "solve/newton_system.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "solve/rigid_motion.h"
@@ -9,11 +10,21 @@ namespace lamella::solve {
 
 namespace {
 
-// Solutions are improved once where they leave more than this of the right-hand side.
+// Solutions are mended until they leave no more than this of the right-hand side, or as far as that goes:
+// each pass must leave a part of what was left, and the end be fair.
 constexpr double accurate = 1e-11;
+constexpr double fair = 1e-3;
+constexpr double shrinking = 0.7;
+constexpr int most_refinements = 12;
 
 using Small = Eigen::Map<const Eigen::MatrixXd>;
 using Vector = Eigen::Map<const Eigen::VectorXd>;
+
+double squared(std::span<const double> v) {
+  double sum = 0;
+  for (const double x : v) sum += x * x;
+  return sum;
+}
 
 Eigen::Index index(std::size_t i) {
   return static_cast<Eigen::Index>(i);
@@ -24,7 +35,7 @@ Eigen::Index index(std::size_t i) {
 NewtonSystem::NewtonSystem(Problem& problem, const film::Film& film, MotionKind motion)
     : problem_(problem),
       film_(film),
-      basis_(film, problem.weights(), motion),
+      basis_(film, problem.weights(), motion, problem.energy().constraints()),
       hessian_(problem, film, basis_),
       factor_(std::make_unique<SparseFactor>(hessian_.matrix())),
       field_(film.vertex_rows()),
@@ -35,10 +46,19 @@ NewtonSystem::NewtonSystem(Problem& problem, const film::Film& film, MotionKind 
 double NewtonSystem::linearise(std::span<const Vec3> x, bool& ok) {
   const double energy = problem_.linearise(x, ok);
   if (!ok) return energy;
+  basis_.renew(x, problem_.energy().constraints());
+  return finish_linearise(x, energy);
+}
+
+double NewtonSystem::linearise_nearby(std::span<const Vec3> x, bool& ok) {
+  const double energy = problem_.linearise(x, ok);
+  return ok ? finish_linearise(x, energy) : energy;
+}
+
+double NewtonSystem::finish_linearise(std::span<const Vec3> x, double energy) {
   x_.assign(x.begin(), x.end());
-  basis_.renew(x);
-  hessian_.assemble(problem_, basis_, x);
   problem_.descent_direction(field_);
+  hessian_.assemble(problem_, basis_, x);
   basis_.reduce(field_, force_);
   scale_ = problem_.energy().area() > 0 ? 4 * M_PI / problem_.energy().area() : 1;
   rigid_known_ = bordered_ = false;
@@ -77,11 +97,20 @@ void NewtonSystem::border() {
   }
 }
 
+int NewtonSystem::negative_modes_with_rigid() const {
+  if (basis_.size() == 0) return 0;
+  return std::max(0, factor_->negative_pivots() - static_cast<int>(hessian_.constraints()));
+}
+
+std::size_t NewtonSystem::mode_count() const {
+  const std::size_t free = basis_.free_size();
+  return free - std::min(free, hessian_.constraints());
+}
+
 // Bordering a symmetric matrix A by columns C adds the inertia of -C^T A^-1 C to its own, and each
 // independent column takes one negative and one positive eigenvalue for itself.
 int NewtonSystem::negative_modes() {
-  if (basis_.size() == 0) return 0;
-  const int negative = factor_->negative_pivots() - static_cast<int>(hessian_.constraints());
+  const int negative = negative_modes_with_rigid();
   if (negative <= 0) return 0;
   border();
   if (rigid_.empty()) return negative;
@@ -90,26 +119,33 @@ int NewtonSystem::negative_modes() {
   return negative - static_cast<int>((values.array() < 0).count());
 }
 
+// Solves with the factorisation and mends what is left of the right-hand side, as long as that shrinks.
+bool NewtonSystem::solve_refined(std::span<const double> right, std::span<double> solution) {
+  std::copy(right.begin(), right.end(), solution.begin());
+  factor_->solve(solution, 1);
+  std::vector<double> left(right.size());
+  const double whole = squared(right);
+  double before = HUGE_VAL;
+  for (int pass = 0; pass < most_refinements; ++pass) {
+    hessian_.multiply(solution, left);
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = right[i] - left[i];
+    const double wrong = squared(left);
+    if (wrong <= accurate * accurate * whole) return true;
+    if (!(wrong < shrinking * shrinking * before)) return pass > 1 && wrong <= fair * fair * whole;
+    before = wrong;
+    factor_->solve(left, 1);
+    for (std::size_t i = 0; i < left.size(); ++i) solution[i] += left[i];
+  }
+  return true;
+}
+
 double NewtonSystem::step(std::span<double> reduced) {
   const std::size_t unknowns = hessian_.unknowns();
   const std::size_t rows = unknowns + hessian_.constraints();
   std::vector<double> right(rows, 0.0);
   std::copy(force_.begin(), force_.end(), right.begin());
-  std::vector<double> solution = right;
-  factor_->solve(solution, 1);
-  std::vector<double> left(rows);
-  hessian_.multiply(solution, left);
-  double wrong = 0;
-  double whole = 0;
-  for (std::size_t i = 0; i < rows; ++i) {
-    left[i] = right[i] - left[i];
-    wrong += left[i] * left[i];
-    whole += right[i] * right[i];
-  }
-  if (wrong > accurate * accurate * whole) {
-    factor_->solve(left, 1);
-    for (std::size_t i = 0; i < rows; ++i) solution[i] += left[i];
-  }
+  std::vector<double> solution(rows);
+  if (!solve_refined(right, solution)) return NAN;
   border();
   if (const std::size_t count = rigid_.size(); count > 0) {
     Eigen::VectorXd part(index(count));

@@ -20,15 +20,22 @@ class NewtonSystem {
   // Energy, pressures, directions and the Hessian at x. Returns the energy; false in `ok` as in
   // Problem::linearise.
   double linearise(std::span<const Vec3> x, bool& ok);
+  // The same with the directions as they were, and the last factorisation, which a short step away still
+  // serves: `step` mends what it lacks by iteration.
+  double linearise_nearby(std::span<const Vec3> x, bool& ok);
   // Factorises with H + shift M in the place of H. False if that is singular to rounding.
   bool factorise(double shift);
 
   // Of the last factorisation: how many negative modes H + shift M has among the motions that keep volumes,
   // those of the film as a whole (solve/rigid_motion.h) not counted.
   int negative_modes();
+  // The same with them, as plain inertia tells it; and how many modes there are at all.
+  int negative_modes_with_rigid() const;
+  std::size_t mode_count() const;
 
   // The stationary point of the quadratic model, volumes kept to first order, without motion of the film as a
-  // whole; a reduced vector. Returns the slope of the energy along it (negative: downhill).
+  // whole; a reduced vector. Returns the slope of the energy along it (negative: downhill). Not a number
+  // where the factorisation is too old to be mended.
   double step(std::span<double> reduced);
 
   // Solves with the last factorisation for right-hand sides of `unknowns + constraints` numbers each, one
@@ -47,6 +54,8 @@ class NewtonSystem {
   const std::vector<std::vector<double>>& rigid();
 
  private:
+  double finish_linearise(std::span<const Vec3> x, double energy);
+  bool solve_refined(std::span<const double> right, std::span<double> solution);
   void border();
 
   Problem& problem_;

@@ -7,8 +7,12 @@ namespace lamella::solve {
 
 namespace {
 
-constexpr double volume_tolerance = 1e-13;  // relative; a few times rounding for a hundred thousand facets
-constexpr int most_passes = 60;
+constexpr double finest_tolerance = 1e-13;  // relative; a few times rounding for a hundred thousand facets
+constexpr int most_passes = 200;
+// Most that one pass may change a volume by, of itself. Gradients at the start of a pass point where the film
+// stood.
+constexpr double most_shrinking = 0.2;
+constexpr double most_growth = 0.25;
 
 std::vector<double> inverse_masses(const film::Film& film) {
   const std::span<const std::uint8_t> fixed = film.columns(film::ElementKind::vertex).flags("fixed");
@@ -17,6 +21,15 @@ std::vector<double> inverse_masses(const film::Film& film) {
     if (fixed[v] != 0) weights[v] = 0;
   }
   return weights;
+}
+
+// Far from the origin positions are rounded more coarsely, and a sphere's volume with them.
+double tolerance_of(std::span<const Vec3> positions, std::span<const double> volumes) {
+  double far = 0;
+  for (const Vec3& p : positions) far = std::max({far, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  double tolerance = finest_tolerance;
+  for (const double volume : volumes) tolerance = std::max(tolerance, 20 * 2.2e-16 * far / std::cbrt(volume));
+  return tolerance;
 }
 
 }  // namespace
@@ -35,6 +48,8 @@ std::string_view describe(Ending ending) {
       return "a number is no longer finite";
     case Ending::volume_lost:
       return "the volumes cannot be brought to their targets";
+    case Ending::collapsed:
+      return "no equilibrium found: the film collapses";
     case Ending::constraint_lost:
       return "vertices cannot be brought onto their constraints";
   }
@@ -61,6 +76,7 @@ void Problem::set_targets(const scene::Scene& scene) {
     targets_[i] = *scene.body(energy_.constrained()[i]).target_volume;
     volume_scale_[i] = std::max(std::abs(targets_[i]), 1e-300);
   }
+  volume_tolerance_ = tolerance_of(scene.film.positions(), volume_scale_);
 }
 
 bool Problem::factorise() {
@@ -115,6 +131,11 @@ double Problem::descent_direction(std::span<Vec3> direction) {
   return squared;
 }
 
+Vec3 Problem::force(std::size_t vertex) const {
+  const Vec3 pull = targets_.empty() ? Vec3{} : energy_.volume_gradient().unrestricted_pull(vertex);
+  return pull - energy_.lines()[vertex].gradient;
+}
+
 void Problem::project(std::span<Vec3> field) {
   for (std::size_t v = 0; v < field.size(); ++v) field[v] *= weights_[v];
   energy_.constraints().restrict(field);
@@ -161,7 +182,7 @@ Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode m
     energy = energy_.value(x);
     const double error = volume_error();
     if (!std::isfinite(energy) || !std::isfinite(error)) return Ending::not_finite;
-    if (error < volume_tolerance || (error < 100 * volume_tolerance && error > 0.5 * before))
+    if (error < volume_tolerance_ || (error < 100 * volume_tolerance_ && error > 0.5 * before))
       return Ending::converged;
     if (error > 0.1 * before) {
       if (mode == RestoreMode::same_gradients) return Ending::volume_lost;
@@ -184,7 +205,7 @@ void Problem::limit(std::span<double> errors) const {
   const std::span<const double> volumes = energy_.volumes();
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const double size = std::max(std::abs(volumes[energy_.constrained()[i].index]), 0.01 * volume_scale_[i]);
-    errors[i] = std::clamp(errors[i], -0.5 * size, size);
+    errors[i] = std::clamp(errors[i], -most_shrinking * size, most_growth * size);
   }
 }
 

@@ -22,6 +22,7 @@ enum class Ending {
   stuck,            // no step along the gradient lowers the energy, though the residual is not small
   not_finite,       // energy or gradient is not a number
   volume_lost,      // the volumes could not be brought to their targets
+  collapsed,        // facets shrink to nothing, as where a neck pinches
   constraint_lost,  // vertices could not be put onto their constraints
 };
 
@@ -54,6 +55,9 @@ class Problem {
   // `direction` has a row a vertex. Returns its squared length.
   double descent_direction(std::span<Vec3> direction);
   std::span<const double> pressures() const { return pressures_; }
+  // After `descent_direction`: the whole force at a vertex, with what its constraints and weight would take
+  // out.
+  Vec3 force(std::size_t vertex) const;
   // Takes out of a field what changes volumes to first order, and what would move fixed vertices.
   void project(std::span<Vec3> field);
 
@@ -67,8 +71,8 @@ class Problem {
   double volume_error() const;
   // Moves x along the volume gradients until every volume has its target to rounding (about 1e-13 relative);
   // the gradients of the last `linearise` serve as long as they lead there fast, then it linearises anew. One
-  // pass at most doubles or halves a volume, so that large changes do not tangle. On return `energy` is the
-  // energy at x. Ending::converged or volume_lost or not_finite.
+  // pass at most changes a volume by a fifth to a quarter, so that large changes do not tangle. On return
+  // `energy` is the energy at x. Ending::converged or volume_lost or not_finite.
   Ending restore_volumes(std::span<Vec3> x, double& energy, RestoreMode mode = RestoreMode::renew_gradients);
 
   // Writes pressures to the scene's bodies, and the parameters of vertices on boundaries.
@@ -84,6 +88,7 @@ class Problem {
   std::vector<double> weights_;
   std::vector<double> targets_;
   std::vector<double> volume_scale_;  // for relative errors
+  double volume_tolerance_ = 0;       // relative
   GramSolver gram_;
   std::vector<double> gram_values_;
   std::vector<double> pressures_;

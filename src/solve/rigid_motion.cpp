@@ -79,6 +79,9 @@ bool is_symmetry(Problem& problem, std::span<const Vec3> x, const std::vector<st
     moved[v] = motion.moved(x[v]);
     if (!problem.movable(v) && length(moved[v] - x[v]) > same * motion.extent) return false;
   }
+  if (!problem.energy().constraints().empty() &&
+      problem.energy().constraints().violation(moved) > same * motion.extent)
+    return false;
   const double energy = problem.energy().value(x);
   const std::vector<double> volumes(problem.energy().volumes().begin(), problem.energy().volumes().end());
   if (!(std::abs(problem.energy().value(moved) - energy) < same * std::abs(energy))) return false;

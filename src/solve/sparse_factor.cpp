@@ -1,6 +1,7 @@
 #include "solve/sparse_factor.h"
 
 #include <cstring>
+#include <utility>
 
 #include <cholmod.h>
 
@@ -36,6 +37,8 @@ struct SparseFactor::Work {
 
 namespace {
 
+constexpr double much_work = 1.5e8;  // floating-point operations of a factorisation
+
 // A view of the matrix; CHOLMOD reads it only.
 cholmod_sparse as_cholmod(const LowerMatrix& matrix) {
   cholmod_sparse a{};
@@ -55,9 +58,17 @@ cholmod_sparse as_cholmod(const LowerMatrix& matrix) {
 
 }  // namespace
 
+// Nested dissection takes ten times as long to find as minimum degree, and saves from a third to three
+// quarters of the work on large films: it is worth looking for where the work is more than that.
 SparseFactor::SparseFactor(const LowerMatrix& pattern) : work_(std::make_unique<Work>()) {
   cholmod_sparse a = as_cholmod(pattern);
-  work_->factor = cholmod_analyze(&a, &work_->common);
+  cholmod_common& common = work_->common;
+  work_->factor = cholmod_analyze(&a, &common);
+  if (common.fl < much_work) return;
+  common.method[0].ordering = CHOLMOD_METIS;
+  cholmod_factor* dissected = cholmod_analyze(&a, &common);
+  std::swap(work_->factor, dissected);
+  cholmod_free_factor(&dissected, &common);
 }
 
 SparseFactor::~SparseFactor() = default;

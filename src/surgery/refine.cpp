@@ -33,7 +33,8 @@ struct Part {
 // Builds the refined film beside the old one.
 class Refiner {
  public:
-  explicit Refiner(Film& film) : old_(film), film_(film) {}
+  // No flags: every edge is to be halved.
+  Refiner(Film& film, std::span<const std::uint8_t> halve) : old_(film), film_(film), halve_(halve) {}
 
   RefineCounts run() {
     halve_edges();
@@ -56,6 +57,7 @@ class Refiner {
 
   const Film old_;  // shares the arrays until the film is changed
   Film& film_;
+  std::span<const std::uint8_t> halve_;
   std::vector<Halved> halved_;
   std::vector<std::array<Vertex, 2>> edge_ends_;
   std::vector<Vec3> positions_;
@@ -90,6 +92,7 @@ void Refiner::halve_edges() {
     const auto& ends = old_.ends(Edge(i));
     edge_ends_[i] = ends;
     if (!keep_whole.empty() && keep_whole[i] != 0) continue;
+    if (!halve_.empty() && halve_[i] == 0) continue;
     halved_[i].middle = Vertex(positions_.size());
     halved_[i].head_half = Edge(edges + counts_.edges);
     positions_.push_back(0.5 * (old_.position(ends[0]) + old_.position(ends[1])));
@@ -213,7 +216,11 @@ void Refiner::write() {
 }  // namespace
 
 RefineCounts refine(film::Film& film) {
-  return Refiner(film).run();
+  return Refiner(film, {}).run();
+}
+
+RefineCounts refine(film::Film& film, std::span<const std::uint8_t> halve) {
+  return Refiner(film, halve).run();
 }
 
 }  // namespace lamella::surgery

@@ -1,6 +1,9 @@
 // Uniform refinement: every edge halved, every facet cut into four.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "film/film.h"
 
 namespace lamella::surgery {
@@ -21,5 +24,7 @@ struct RefineCounts {
 //
 // The film must be compact, and is compact afterwards; its elements are numbered anew by rows.
 RefineCounts refine(film::Film& film);
+// The same for chosen edges: those of the rows whose flag is not 0.
+RefineCounts refine(film::Film& film, std::span<const std::uint8_t> halve);
 
 }  // namespace lamella::surgery

@@ -23,8 +23,10 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"evolution", {"solve", "surgery", "energy", "scene", "film", "language", "text"}},
     {"datafile", {"scene", "film", "language", "text"}},
     {"picture", {"scene", "film", "language", "text"}},
+    {"chart", {"datafile", "evolution", "solve", "surgery", "energy", "scene", "film", "language", "text"}},
     {"session",
-     {"datafile", "evolution", "picture", "solve", "surgery", "energy", "scene", "film", "language", "text"}},
+     {"chart", "datafile", "evolution", "picture", "solve", "surgery", "energy", "scene", "film", "language",
+      "text"}},
 };
 
 // The folders named in the quoted includes of a file.

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include "scene/projection.h"
 #include "solve/descent.h"
 #include "solve/lbfgs.h"
+#include "solve/newton.h"
 #include "support/differences.h"
 #include "support/formulas.h"
 #include "support/shapes.h"
@@ -189,6 +191,72 @@ TEST(Constraints, GradientsAgreeWithDifferences) {
   EXPECT_NEAR(energy::measure(scene).volumes[1], energy.volumes()[1], 1e-12);
 }
 
+// Second differences of the Lagrangian along motions that are projected back onto the constraints.
+void expect_second_variation(const Scene& scene, MotionKind motion) {
+  Problem problem(scene);
+  std::vector<Vec3> x = positions_of(scene);
+  ASSERT_TRUE(problem.constrain(x));
+  NewtonSystem system(problem, scene.film, motion);
+  bool ok = false;
+  system.linearise(x, ok);
+  ASSERT_TRUE(ok);
+  const std::size_t size = system.basis().size();
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> u(-1, 1);
+    std::vector<double> way(size);
+    for (double& w : way) w = u(random);
+    for (std::size_t i = 0; i < size; ++i) {
+      if (system.basis().direction(i) == Vec3{}) way[i] = 0;
+    }
+    std::vector<double> image(size);
+    system.hessian().multiply(way, image);
+    double exact = 0;
+    double slope = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      exact += way[i] * image[i];
+      slope -= way[i] * system.force()[i];
+    }
+    std::vector<Vec3> field(x.size());
+    system.basis().expand(way, field);
+    const double h = 3e-4;
+    const auto merit = [&](double t) {
+      std::vector<Vec3> moved = x;
+      for (std::size_t v = 0; v < x.size(); ++v) moved[v] += t * field[v];
+      EXPECT_TRUE(problem.constrain(moved));
+      return problem.merit(moved);
+    };
+    const double middle = merit(0);
+    const double first = (8 * (merit(h) - merit(-h)) - (merit(2 * h) - merit(-2 * h))) / (12 * h);
+    const double second =
+        (16 * (merit(h) + merit(-h)) - merit(2 * h) - merit(-2 * h) - 30 * middle) / (12 * h * h);
+    EXPECT_NEAR(slope, first, 1e-8 * (1 + std::abs(first)));
+    EXPECT_NEAR(exact, second, 2e-6 * std::abs(second));
+  }
+}
+
+TEST(Constraints, HessiansAgreeWithDifferences) {
+  for (const MotionKind motion : {MotionKind::full, MotionKind::normal}) {
+    Scene scene = drop(1);
+    test::jitter(scene.film, 3, 0.03);
+    scene.level_sets[1] = test::level_set("(x-0.5)^2 + 2*(y-0.5)^2 + 0.7*z^2 + 0.2*x*y*z = 0.8");
+    scene.level_sets[1].energy = test::field("y*z + x^3", "sin(x)*z", "x*y");
+    scene.level_sets[1].content = test::field("-y/2 + z^2*x", "x*y^2", "exp(x)*y");
+    expect_second_variation(scene, motion);
+    scene.level_sets[1].convex = true;
+    expect_second_variation(scene, motion);
+    // Two at once leave a curve; another is touched from one side and pushed against.
+    scene.level_sets[2] = test::level_set("z = 0.1*x");
+    for (std::uint32_t v = 0; v < scene.film.vertex_rows(); v += 3)
+      scene::add_constraint(scene, ElementKind::vertex, v, 2);
+    expect_second_variation(scene, motion);
+    Scene rings = catenoid(1);
+    test::jitter(rings.film, 4, 0.02);
+    rings.film.columns(ElementKind::vertex).remove("fixed");
+    expect_second_variation(rings, motion);
+  }
+}
+
 // A drop that wets the table at 90 degrees is half a sphere: A = 2 pi r^2 with 2/3 pi r^3 = 1.
 TEST(Constraints, ADropBecomesHalfASphere) {
   const double exact = 2 * M_PI * std::pow(1.5 / M_PI, 2.0 / 3);
@@ -214,6 +282,24 @@ TEST(Constraints, ADropBecomesHalfASphere) {
     }
     last = error;
   }
+}
+
+TEST(Constraints, NewtonSettlesADropOnATable) {
+  Scene scene = drop(3);
+  scene::Monitor monitor;
+  Problem problem(scene);
+  const std::span<Vec3> x = scene.film.edit_positions();
+  LbfgsOptions options;
+  options.tolerance = 1e-5;
+  lbfgs(problem, scene, x, options, monitor);
+  Newton method(problem, scene.film, MotionKind::normal);
+  NewtonOptions exact;
+  exact.tolerance = 1e-18;
+  const NewtonReport report = newton(method, x, exact, monitor);
+  EXPECT_EQ(report.ending, Ending::converged);
+  EXPECT_LE(report.steps, 6);
+  EXPECT_EQ(report.stability.negative_modes, 0);  // sliding about the table is no mode of the drop
+  EXPECT_LT(problem.energy().constraints().violation(x), 1e-14);
 }
 
 // Young's law: a wall energy of -cos(60 degrees) a unit of wetted area, as an integral around the rim, gives

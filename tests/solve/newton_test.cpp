@@ -103,8 +103,9 @@ TEST(Hessian, KnowsOpenBodies) {
 TEST(Basis, ExpandsAndReduces) {
   const Scene scene = test::square_film(4);
   const Problem problem(scene);
-  Basis normal(scene.film, problem.weights(), MotionKind::normal);
-  normal.renew(scene.film.positions());
+  const energy::VertexConstraints none;
+  Basis normal(scene.film, problem.weights(), MotionKind::normal, none);
+  normal.renew(scene.film.positions(), none);
   EXPECT_EQ(normal.size(), 9U);  // one for each inner vertex; the rim is fixed
   std::vector<Vec3> field(scene.film.vertex_rows(), Vec3{1, 2, 3});
   std::vector<double> reduced(9);
@@ -113,7 +114,7 @@ TEST(Basis, ExpandsAndReduces) {
   normal.expand(reduced, field);
   EXPECT_EQ(field[12], (Vec3{0, 0, 3}));
   EXPECT_EQ(field[0], Vec3{});
-  Basis full(scene.film, problem.weights(), MotionKind::full);
+  Basis full(scene.film, problem.weights(), MotionKind::full, none);
   EXPECT_EQ(full.size(), 27U);
 }
 
@@ -122,8 +123,9 @@ TEST(Basis, GivesRimsTwoDirectionsAndCornersThree) {
   Scene scene = test::square_film(3);
   scene.film.columns(film::ElementKind::vertex).remove("fixed");
   const Problem problem(scene);
-  Basis basis(scene.film, problem.weights(), MotionKind::normal);
-  basis.renew(scene.film.positions());
+  const energy::VertexConstraints none;
+  Basis basis(scene.film, problem.weights(), MotionKind::normal, none);
+  basis.renew(scene.film.positions(), none);
   for (std::uint32_t v = 0; v < scene.film.vertex_rows(); ++v) {
     const Vec3& p = scene.film.positions()[v];
     const bool rim_x = p.x == 0 || p.x == 1;
