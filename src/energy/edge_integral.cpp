@@ -147,28 +147,28 @@ EdgeGradient edge_integral_gradient(const FieldEdge& edge, std::span<const Vec3>
 
 // With p = from + s d on the edge d = to - from, G the field's Jacobian there and S the sum of d_i times the
 // Hessian of component i, the second variation by (a, b) is 2 (b-a)^T G p' + p'^T S p', p' = (1-s) a + s b.
-EdgeHessian edge_integral_hessian(const EdgeIntegrand& field, const Vec3& from, const Vec3& to, double time,
+EdgeHessian edge_integral_hessian(const FieldEdge& edge, std::span<const Vec3> positions, double time,
                                   int order) {
-  const Vec3 d = to - from;
+  const Vec3& from = positions[edge.from.index];
+  const Vec3 d = positions[edge.to.index] - from;
   EdgeHessian result;
   for (const GaussPoint& point : rule(order)) {
     const double s = point.at;
+    const double weight = edge.times * point.weight;
     const Vec3 p = from + s * d;
     const std::array<double, 3> at{p.x, p.y, p.z};
     film::Mat3 jacobian;
     film::Mat3 bend;
     std::array<Vec3*, 3> row{&jacobian.x, &jacobian.y, &jacobian.z};
-    for (int i = 0; i < 3; ++i) {
-      const language::Formula& f = field[static_cast<std::size_t>(i)];
-      if (!f) continue;
-      const language::Jet jet = f.hessian({at, time, {}});
-      *row[static_cast<std::size_t>(i)] = {jet.gradient[0], jet.gradient[1], jet.gradient[2]};
-      bend += d[i] * film::symmetric(jet.hessian);
-    }
+    for_each_component(edge, [&](int axis, const language::Formula& f, std::span<const double> attributes) {
+      const language::Jet jet = f.hessian({at, time, attributes});
+      *row[static_cast<std::size_t>(axis)] = {jet.gradient[0], jet.gradient[1], jet.gradient[2]};
+      bend += d[axis] * film::symmetric(jet.hessian);
+    });
     const film::Mat3 turned = transposed(jacobian);
-    result.from_from += point.weight * ((1 - s) * (1 - s) * bend - (1 - s) * (jacobian + turned));
-    result.to_to += point.weight * (s * s * bend + s * (jacobian + turned));
-    result.from_to += point.weight * (s * (1 - s) * bend + (1 - s) * turned - s * jacobian);
+    result.from_from += weight * ((1 - s) * (1 - s) * bend - (1 - s) * (jacobian + turned));
+    result.to_to += weight * (s * s * bend + s * (jacobian + turned));
+    result.from_to += weight * (s * (1 - s) * bend + (1 - s) * turned - s * jacobian);
   }
   return result;
 }

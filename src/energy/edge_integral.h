@@ -22,8 +22,6 @@ struct EdgeHessian {
   film::Mat3 to_to;
   film::Mat3 from_to;
 };
-EdgeHessian edge_integral_hessian(const scene::EdgeIntegrand& field, const Vec3& from, const Vec3& to,
-                                  double time, int order);
 
 // An edge that a field is integrated along, so many times (negative: against its direction).
 struct FieldEdge {
@@ -41,10 +39,13 @@ struct FieldEdge {
 double edge_integral(const FieldEdge& edge, std::span<const Vec3> positions, double time, int order);
 EdgeGradient edge_integral_gradient(const FieldEdge& edge, std::span<const Vec3> positions, double time,
                                     int order);
+EdgeHessian edge_integral_hessian(const FieldEdge& edge, std::span<const Vec3> positions, double time,
+                                  int order);
 
 // The edges with constraint energies, and those with contents, a row for each region that they bound: a
 // content is added to a body behind a facet (normal outward) whose side runs along the edge, and taken from
-// the one in front; contents of boundaries (not of level sets) with the opposite sign. Fields point into the scene's constraints, which must live on and be bound.
+// the one in front; contents of boundaries (not of level sets) with the opposite sign. Fields point into the
+// scene's constraints, which must live on and be bound.
 std::vector<FieldEdge> energy_edges(const scene::Scene& scene);
 std::vector<FieldEdge> content_edges(const scene::Scene& scene);
 

@@ -72,6 +72,8 @@ class FilmEnergy {
   std::span<const FieldEdge> energy_edges() const { return energy_edges_; }
   std::span<const FieldEdge> content_edges() const { return content_edges_; }
   std::span<const GapEdge> gaps() const { return gaps_; }
+  std::span<const BoundaryGapEdge> boundary_gaps() const { return boundary_gaps_; }
+  const scene::Scene& scene() const { return scene_; }
   double gap_constant() const { return scene_.gap_constant; }
   double time() const { return scene_.time; }
   int edge_integral_order() const { return scene_.edge_integral_order; }

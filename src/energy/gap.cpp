@@ -169,17 +169,21 @@ EdgeGradient boundary_gap_energy(const scene::Scene& scene, const BoundaryGapEdg
   return result;
 }
 
-EdgeHessian gap_hessian(const language::Formula& level, const Vec3& tail, const Vec3& head, double time) {
+namespace {
+
+// By central differences of gradient(tail, head).
+template <class Gradient>
+EdgeHessian difference_hessian(const Vec3& tail, const Vec3& head, Gradient&& gradient) {
   constexpr double part = 1e-5;  // of the edge: rounding and the third derivative then weigh about the same
   const double h = part * length(head - tail);
   EdgeHessian result;
   if (!(h > 0)) return result;
   const std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   for (const Vec3& axis : axes) {
-    const EdgeGradient tail_up = gap_energy(level, tail + h * axis, head, time);
-    const EdgeGradient tail_down = gap_energy(level, tail - h * axis, head, time);
-    const EdgeGradient head_up = gap_energy(level, tail, head + h * axis, time);
-    const EdgeGradient head_down = gap_energy(level, tail, head - h * axis, time);
+    const EdgeGradient tail_up = gradient(tail + h * axis, head);
+    const EdgeGradient tail_down = gradient(tail - h * axis, head);
+    const EdgeGradient head_up = gradient(tail, head + h * axis);
+    const EdgeGradient head_down = gradient(tail, head - h * axis);
     result.from_from += film::outer((0.5 / h) * (tail_up.from - tail_down.from), axis);
     result.to_to += film::outer((0.5 / h) * (head_up.to - head_down.to), axis);
     result.from_to += film::outer((0.5 / h) * (head_up.from - head_down.from), axis);
@@ -187,6 +191,20 @@ EdgeHessian gap_hessian(const language::Formula& level, const Vec3& tail, const 
   result.from_from = 0.5 * (result.from_from + transposed(result.from_from));
   result.to_to = 0.5 * (result.to_to + transposed(result.to_to));
   return result;
+}
+
+}  // namespace
+
+EdgeHessian gap_hessian(const GapEdge& edge, const Vec3& tail, const Vec3& head, double time) {
+  return difference_hessian(
+      tail, head, [&](const Vec3& from, const Vec3& to) { return gap_energy(edge, from, to, time); });
+}
+
+EdgeHessian boundary_gap_hessian(const scene::Scene& scene, const BoundaryGapEdge& edge, const Vec3& tail,
+                                 const Vec3& head) {
+  return difference_hessian(tail, head, [&](const Vec3& from, const Vec3& to) {
+    return boundary_gap_energy(scene, edge, from, to);
+  });
 }
 
 }  // namespace lamella::energy

@@ -43,6 +43,8 @@ EdgeGradient gap_energy(const GapEdge& edge, const Vec3& tail, const Vec3& head,
 
 // Its second derivatives, by differences of the gradient (which has second derivatives of the level in it
 // already): good to about nine digits.
-EdgeHessian gap_hessian(const language::Formula& level, const Vec3& tail, const Vec3& head, double time);
+EdgeHessian gap_hessian(const GapEdge& edge, const Vec3& tail, const Vec3& head, double time);
+EdgeHessian boundary_gap_hessian(const scene::Scene& scene, const BoundaryGapEdge& edge, const Vec3& tail,
+                                 const Vec3& head);
 
 }  // namespace lamella::energy

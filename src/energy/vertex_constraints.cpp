@@ -145,7 +145,7 @@ film::Mat3 VertexConstraints::level_curvature(const Held& held, const Vec3& at, 
     const scene::LevelSet& set = scene_.level_sets.at(held.active[i]);
     std::vector<double> attributes;
     if (!set.formula.attributes().empty())
-      attributes = scene::attributes_of(scene_.film, set.formula, held.vertex);
+      attributes = scene::attributes_of(scene_.film, set.formula, film::ElementKind::vertex, held.vertex);
     const language::Jet jet = set.formula.hessian({std::array{at.x, at.y, at.z}, scene_.time, attributes});
     gradients[i] = {jet.gradient[0], jet.gradient[1], jet.gradient[2]};
     hessians[i] = film::symmetric(jet.hessian);

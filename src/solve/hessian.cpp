@@ -285,15 +285,17 @@ void ConstrainedHessian::add_fields(const energy::FilmEnergy& energy, const Basi
   const auto integral = [&](const energy::FieldEdge& edge, double factor) {
     if (factor == 0) return;
     add_edge(basis, edge.from, edge.to, factor,
-             energy::edge_integral_hessian(*edge.field, x[edge.from.index], x[edge.to.index], energy.time(),
-                                           energy.edge_integral_order()));
+             energy::edge_integral_hessian(edge, x, energy.time(), energy.edge_integral_order()));
   };
-  for (const energy::FieldEdge& edge : energy.energy_edges()) integral(edge, edge.times);
-  for (const energy::FieldEdge& edge : energy.content_edges())
-    integral(edge, -pressure[edge.region.index] * edge.times);
+  for (const energy::FieldEdge& edge : energy.energy_edges()) integral(edge, 1);
+  for (const energy::FieldEdge& edge : energy.content_edges()) integral(edge, -pressure[edge.region.index]);
   for (const energy::GapEdge& gap : energy.gaps()) {
     add_edge(basis, gap.tail, gap.head, energy.gap_constant(),
-             energy::gap_hessian(*gap.level, x[gap.tail.index], x[gap.head.index], energy.time()));
+             energy::gap_hessian(gap, x[gap.tail.index], x[gap.head.index], energy.time()));
+  }
+  for (const energy::BoundaryGapEdge& gap : energy.boundary_gaps()) {
+    add_edge(basis, gap.tail, gap.head, energy.gap_constant(),
+             energy::boundary_gap_hessian(energy.scene(), gap, x[gap.tail.index], x[gap.head.index]));
   }
 }
 
