@@ -12,17 +12,17 @@ row() {  # name, datafile, commands before
   echo "== $1"
   for method in descent cg lbfgs newton; do
     printf '%-9s' "$method"
-    timeout 60 "$lamella" "$2" -e "$3; relax 2000 method=$method" 2>&1 | tail -2 | tr '\n' ';' | cut -c1-150
+    timeout 120 "$lamella" "$2" -e "$3; relax 500 method=$method" 2>&1 | tail -2 | tr '\n' ';' | cut -c1-150
     echo
   done
   printf '%-9s' relax
-  timeout 60 "$lamella" "$2" -e "$3; relax" 2>&1 | tail -2 | tr '\n' ';' | cut -c1-200
+  timeout 120 "$lamella" "$2" -e "$3; relax" 2>&1 | tail -2 | tr '\n' ';' | cut -c1-200
   echo
   command -v evolver > /dev/null || return 0
   for mode in 'g 500' 'U; g 500' 'g 5; hessian; hessian; hessian; hessian'; do
     printf 'evolver %s: ' "$mode"
     printf 'quiet\n%s\n%s\nprintf "energy %%.12g smallest facet %%.3g\\n", total_energy, min(facet,area)\nq\nq\n' "$3" "$mode" |
-      timeout 60 evolver "$2" 2>&1 | grep -a 'energy .* smallest\|WARNING\|ERROR' | tail -2 | tr '\n' ';' | cut -c1-150
+      timeout 120 evolver "$2" 2>&1 | grep -a 'energy .* smallest\|WARNING\|ERROR' | tail -2 | tr '\n' ';' | cut -c1-150
     echo
   done
 }

@@ -5,8 +5,8 @@
 
 #include "energy/mesh_quality.h"
 #include "solve/descent.h"
-#include "solve/reach_volumes.h"
 #include "solve/newton.h"
+#include "solve/reach_volumes.h"
 
 namespace lamella::evolution {
 

@@ -7,8 +7,8 @@
 #include "energy/plateau.h"
 #include "energy/triangle.h"
 #include "scene/constraint_sets.h"
-#include "solve/reach_volumes.h"
 #include "solve/newton.h"
+#include "solve/reach_volumes.h"
 #include "solve/saddle.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
@@ -238,18 +238,23 @@ bool Relaxer::leave() {
 }
 
 RelaxReport Relaxer::run() {
-  at_start_ = facet_sizes(scene_.film);
   if (!meet_targets()) return report_;
+  at_start_ = facet_sizes(scene_.film);
   if (options_.motion) {
     minimise(*options_.motion, options_.most_iterations, options_.tolerance);
   } else {
     do {
       if (start_near()) continue;
+      // Free motion would tear slivers apart.
+      if (options_.upkeep && energy::smallest_angle(scene_.film) < fit_angle) keep_mesh();
       approach();
       tidy();
       if (going() && !exhausted()) finish();
     } while (leave());
   }
+  // A stretch on the way may have met its own tolerance when the steps ran out.
+  if (report_.converged() && !(std::abs(report_.residual) < options_.tolerance))
+    report_.ending = Ending::step_limit;
   report_.smallest_angle = energy::smallest_angle(scene_.film);
   const energy::PlateauAngles angles = energy::plateau_angles(scene_.film);
   report_.crowded = angles.other_borders + angles.other_points;

@@ -38,9 +38,10 @@ bool Newton::find_direction(std::span<const Vec3> x, SaddlePolicy policy, Newton
     return false;
   }
   std::copy(x.begin(), x.end(), from_.begin());
-  const bool sound = system_.factorise(0);
+  bool sound = system_.factorise(0);
   result.negative_modes = sound ? system_.negative_modes() : 0;
   slope_ = sound ? system_.step(reduced_) : 0;
+  sound = sound && std::isfinite(slope_);
   const bool wanted = sound && (result.negative_modes == 0 || policy == SaddlePolicy::keep);
   if (!wanted && !shift_until_definite(result)) {
     result.ending = Ending::stuck;
@@ -60,8 +61,9 @@ bool Newton::shift_until_definite(NewtonStep& result) {
   double shift = std::max(first_shift * system_.scale(), last_shift_ / (shift_growth * shift_growth));
   for (int i = 0; i < most_shifts; ++i, shift *= shift_growth) {
     if (!system_.factorise(shift) || system_.negative_modes() > 0) continue;
-    result.shift = last_shift_ = shift;
     slope_ = system_.step(reduced_);
+    if (!std::isfinite(slope_)) continue;
+    result.shift = last_shift_ = shift;
     return true;
   }
   return false;

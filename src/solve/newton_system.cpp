@@ -131,7 +131,7 @@ bool NewtonSystem::solve_refined(std::span<const double> right, std::span<double
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = right[i] - left[i];
     const double wrong = squared(left);
     if (wrong <= accurate * accurate * whole) return true;
-    if (!(wrong < shrinking * shrinking * before)) return pass > 1 && wrong <= fair * fair * whole;
+    if (!(wrong < shrinking * shrinking * before)) return wrong <= fair * fair * whole;
     before = wrong;
     factor_->solve(left, 1);
     for (std::size_t i = 0; i < left.size(); ++i) solution[i] += left[i];
