@@ -14,7 +14,7 @@ namespace {
 // The numbers are Surface Evolver's for the same edges.
 TEST(Gap, OfAParabola) {
   const scene::LevelSet set = test::level_set("y = x^2");
-  const GapEdge edge{&set.formula, film::Vertex(0), film::Vertex(1)};
+  const GapEdge edge{&set.formula, film::Vertex(0U), film::Vertex(1U)};
   EXPECT_NEAR(gap_energy(edge, {0, 0, 0}, {1, 1, 0}, 0).value, 0.17055575786723098, 1e-15);
   EXPECT_NEAR(gap_energy(edge, {1, 1, 0}, {0, 0, 0}, 0).value, 0.17055575786723098, 1e-15);
   EXPECT_NEAR(gap_energy(edge, {-2, 4, 0}, {2, 4, 0}, 0).value, 2.58704666705421804, 1e-14);
@@ -23,7 +23,7 @@ TEST(Gap, OfAParabola) {
 
 TEST(Gap, GradientAgreesWithDifferences) {
   const scene::LevelSet set = test::level_set("x^2 + 2*y^2 + 3*z^2 + x*y*z = 1");
-  const GapEdge edge{&set.formula, film::Vertex(0), film::Vertex(1)};
+  const GapEdge edge{&set.formula, film::Vertex(0U), film::Vertex(1U)};
   const std::array<Vec3, 2> ends{Vec3{0.9, 0.2, 0.1}, Vec3{0.4, 0.5, 0.3}};
   const EdgeGradient g = gap_energy(edge, ends[0], ends[1], 0);
   for (std::size_t end = 0; end < 2; ++end) {
@@ -47,7 +47,7 @@ class BoundaryGap : public testing::Test {
     boundary.position = {test::formula("cos(p1)", language::FormulaKind::parameter),
                          test::formula("0.7*sin(p1)", language::FormulaKind::parameter),
                          test::formula("0.3*p1*p1", language::FormulaKind::parameter)};
-    edge_ = {&boundary, film::Vertex(0), film::Vertex(1), 0.1, 0.9};
+    edge_ = BoundaryGapEdge{&boundary, film::Vertex(0U), film::Vertex(1U), 0.1, 0.9};
   }
   Vec3 at(double p) const { return scene::boundary_position(scene_, *edge_.boundary, {p, 0, 0}); }
   EdgeGradient gap(double a, double b) const { return boundary_gap_energy(scene_, edge_, at(a), at(b)); }

@@ -45,7 +45,9 @@ class EveryDatafile : public ::testing::TestWithParam<std::string> {
   void step(const std::string& command) {
     trial_.out(command);
     EXPECT_EQ(film::check(film()), std::vector<std::string>{}) << command;
-    if (closed_) EXPECT_EQ(film::check_regions(film()), std::vector<std::string>{}) << command;
+    if (closed_) {
+      EXPECT_EQ(film::check_regions(film()), std::vector<std::string>{}) << command;
+    }
   }
 
   Trial trial_;
@@ -77,7 +79,9 @@ TEST_P(EveryDatafile, KeepsItsInvariantsThroughMeshCommandsAndSaving) {
   EXPECT_EQ(test::first_difference(trial_.session().scene(), again.session().scene()), "");
   expect_same(energy::measure(again.session().scene()), measures(), 1e-12);
   EXPECT_EQ(film::check(again.session().scene().film), std::vector<std::string>{});
-  if (closed_) EXPECT_EQ(film::check_regions(again.session().scene().film), std::vector<std::string>{});
+  if (closed_) {
+    EXPECT_EQ(film::check_regions(again.session().scene().film), std::vector<std::string>{});
+  }
 }
 
 // Commands with numbers in them leave sound films too, where they can go on at all.
