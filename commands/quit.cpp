@@ -11,7 +11,7 @@ void run(Session& session) {
 }  // namespace
 
 extern const Command quit_command = make_command({.name = "quit",
-                                                  .aliases = {"q", "x", "bye", "exit"},
+                                                  .aliases = {"q", "bye", "exit"},
                                                   .summary = "end the session",
                                                   .group = CommandGroup::session},
                                                  run);

@@ -138,7 +138,8 @@ void Runner::assign_array(const Assignment& node, VariableId id, std::span<const
   const ArrayPart part = evaluate_part(indices, array.shape, node.value->place, evaluation_);
   const std::optional<Array> values = evaluate_array(*node.value, evaluation_);
   // Of a list of numbers, there may be fewer or more than there is room for.
-  const bool list = values && values->shape.size() == 1 && part.shape.size() == 1;
+  const bool list = std::holds_alternative<ArrayLiteral>(node.value->node) && values->shape.size() == 1 &&
+                    part.shape.size() == 1;
   if (values && values->shape != part.shape && !list)
     throw text::Error(node.value->place, "this array has other dimensions than the one it goes to");
   if (values && node.kind != AssignmentKind::set)

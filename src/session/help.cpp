@@ -270,7 +270,8 @@ std::string help_topic(Session& session, std::string_view topic) {
   if (result.empty()) {
     if (const auto section = language_section(text::lower(topic))) result += readable(*section, colours);
   }
-  result += name_help(session, topic);
+  // A letter that is a command is meant as one.
+  if (result.empty() || topic.size() > 1) result += name_help(session, topic);
   if (!result.empty()) return result;
   std::vector<std::string> topics = all_topics(session);
   std::string near = text::did_you_mean(topic, topics);

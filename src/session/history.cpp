@@ -49,7 +49,10 @@ bool variables_differ(const language::Variables& a, const language::Variables& b
     const language::Variable* const x = a.get({row});
     const language::Variable* const y = b.get({row});
     if ((x == nullptr) != (y == nullptr)) return true;
-    if (x != nullptr && (x->value != y->value || x->parameter != y->parameter)) return true;
+    if (x == nullptr) continue;
+    if (x->value != y->value || x->parameter != y->parameter || x->array.shape != y->array.shape ||
+        x->array.values != y->array.values)
+      return true;
   }
   return false;
 }
@@ -80,7 +83,9 @@ bool settings_differ(const scene::Scene& a, const scene::Scene& b) {
          a.gap_constant != b.gap_constant || a.edge_integral_order != b.edge_integral_order ||
          a.damping != b.damping || a.mass_of_area != b.mass_of_area || a.work != b.work ||
          a.mesh_fitness != b.mesh_fitness || forces_text(a.forces) != forces_text(b.forces) ||
-         a.name != b.name || quantities_differ(a, b);
+         a.name != b.name || quantities_differ(a, b) ||
+         a.view_transforms.expression != b.view_transforms.expression ||
+         a.view_transforms.on != b.view_transforms.on;
 }
 
 }  // namespace

@@ -397,8 +397,13 @@ void Session::load(const std::string& path) {
   seed_random(first_seed);
   const bool outer = std::exchange(state_->loading, true);
   long left_out = 0;
-  for (const text::Place& declaration : result.procedures) left_out += run_what_can_be(declaration);
-  for (const text::Place& commands : result.read_section) left_out += run_what_can_be(commands);
+  try {
+    for (const text::Place& declaration : result.procedures) left_out += run_what_can_be(declaration);
+    for (const text::Place& commands : result.read_section) left_out += run_what_can_be(commands);
+  } catch (...) {
+    state_->loading = outer;
+    throw;
+  }
   state_->loading = outer;
   const film::Film& film = state_->scene.film;
   tell("{}: {} vertices, {} edges, {} facets, {} bodies\n", path, film.vertex_count(), film.edge_count(),

@@ -68,7 +68,7 @@ TEST(Statements, Procedures) {
 
 TEST(Statements, LocalNamesStayInside) {
   Trial trial;
-  EXPECT_EQ(trial.out("x := 1; t := { local x; x := 5; print x }; t; print x"), "5\n1\n");
+  EXPECT_EQ(trial.out("x := 1; tt := { local x; x := 5; print x }; tt; print x"), "5\n1\n");
   EXPECT_EQ(trial.out("{ local y; y := 2; { local y; y := 3; print y }; print y }"), "3\n2\n");
   EXPECT_EQ(trial.out("function real fib(integer n) { local a; if n < 2 then return n; a := fib(n-1); return "
                       "a + fib(n-2) }\n"
@@ -101,7 +101,7 @@ TEST(Statements, TheElementInTurnGoesBeforeVariablesAndInnerNamesBeforeIt) {
   Trial trial("cube.fe");
   EXPECT_EQ(trial.out("x := 77; foreach vertex where id == 2 do print x; print x"), "1\n77\n");
   EXPECT_EQ(trial.out("foreach vertex where id == 2 do { local x; x := 3; print x }"), "3\n");
-  EXPECT_EQ(trial.out("t := { local x; x := 3; foreach vertex where id == 2 do print x }; t"), "1\n");
+  EXPECT_EQ(trial.out("tt := { local x; x := 3; foreach vertex where id == 2 do print x }; tt"), "1\n");
   EXPECT_EQ(trial.out("foreach vertex vv where id == 2 do foreach edge where id == 1 do print vv.id"), "2\n");
 }
 
