@@ -94,7 +94,8 @@ ConstraintWriter::ConstraintWriter(const scene::Scene& scene, film::ElementKind 
     : scene_(scene),
       constraints_(scene.film.columns(kind).find(scene::constraint_column)),
       boundaries_(scene.film.columns(kind).find(scene::boundary_column)),
-      orientation_(scene.film.columns(kind).find("orientation") != nullptr) {}
+      orientation_(kind == film::ElementKind::vertex ||
+                   scene.film.columns(kind).find("orientation") != nullptr) {}
 
 // An edge that one integral runs backwards along is turned for all of them.
 void ConstraintWriter::write_constraints(std::string& out, std::uint32_t row) const {

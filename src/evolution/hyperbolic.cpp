@@ -19,7 +19,7 @@ constexpr int most_halvings = 12;
 constexpr double substep_fraction = 0.8;
 // The mesh is made fit when its fitness has fallen to this part of the best, and not again within this many
 // steps.
-constexpr double choked = 0.6;
+constexpr double choked = 0.4;
 constexpr double steps_between_upkeeps = 10;
 constexpr double forgetting = 0.9;  // of the best, where the mesh does not get as fit as it was
 

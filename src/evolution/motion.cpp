@@ -64,13 +64,13 @@ bool Motion::linearise() {
     for (std::size_t v = 0; v < masses_.size(); ++v) masses_[v] = lines[v].area;
     weigh();
   }
-  if (!forces_.empty() && !forces_.evaluate(x_, v_, lines, scene_.time, pushes_)) return false;
   double stiffest = 0;
   for (std::size_t v = 0; v < weights_.size(); ++v)
     stiffest = std::max(stiffest, lines[v].stiffness * weights_[v]);
   const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
   bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;
-  if (!std::isfinite(energy_)) return false;
+  pushed_soundly_ = forces_.empty() || forces_.evaluate(x_, v_, lines, scene_.time, pushes_);
+  if (!pushed_soundly_ || !std::isfinite(energy_)) return false;
   if (errors_.empty()) return true;
   terms_.volume_gradient().gram(weights_, gram_values_);
   return gram_.factorise(gram_values_);
@@ -237,7 +237,7 @@ Ending Motion::undo(Ending why) {
 }
 
 Ending Motion::step(double dt) {
-  if (!sound_) return std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite;
+  if (!sound_) return pushed_soundly_ && std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite;
   if (method_ == Method::gradient) {
     descend(dt);
   } else {

@@ -98,6 +98,7 @@ class Motion {
   double mass_ = 0;
   double pass_rate_ = 1;  // how much of a volume error a correction leaves
   bool sound_ = false;
+  bool pushed_soundly_ = true;  // outer forces are finite
 };
 
 }  // namespace lamella::evolution

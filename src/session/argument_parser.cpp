@@ -153,6 +153,7 @@ class ArgumentParser {
       case ArgumentKind::count:
         if (!argument.word_for_none.empty() && token.is_word(argument.word_for_none)) return true;
         if (elements) return expressions().at_attribute();
+        if (token.is(TokenKind::string) && !argument.needed) return false;
         break;
       default:
         break;

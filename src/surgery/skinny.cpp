@@ -59,16 +59,14 @@ double fold_angle(const Film& film, Edge e) {
 }
 
 std::uint32_t notch_edges(Film& film, double angle) {
-  std::uint32_t notched = 0;
   std::set<Triangle> facets;
   for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
     const Edge e(i);
     if (!film.alive(e) || fold_angle(film, e) <= angle) continue;
     film.for_each_side(e, [&](Side s) { facets.insert(s.triangle()); });
-    ++notched;
   }
   for (const Triangle t : facets) split_facet(film, t);
-  return notched;
+  return static_cast<std::uint32_t>(facets.size());
 }
 
 }  // namespace lamella::surgery

@@ -10,7 +10,7 @@ namespace lamella::surgery {
 std::uint32_t divide_skinny_facets(film::Film& film, double angle);
 
 // Cuts in three, each once, the facets at edges with two facets whose normals differ by more than an angle
-// (in radians). Returns how many edges there were.
+// (in radians). Returns how many, as Surface Evolver counts.
 std::uint32_t notch_edges(film::Film& film, double angle);
 
 // The angle between the normals of the two facets at an edge, seen as one surface; 0 where there are not two.

@@ -23,7 +23,6 @@ TEST(Define, Refuses) {
   Trial trial("cube.fe");
   EXPECT_TRUE(contains(trial.failure("define vertex attribute x real"), "already"));
   EXPECT_TRUE(contains(trial.failure("define n rael"), "is no type"));
-  EXPECT_TRUE(contains(trial.failure("define list_of real[3]"), "attributes of elements only"));
   EXPECT_TRUE(contains(trial.failure("define vertex attribute n real[0]"), "not possible"));
   EXPECT_TRUE(contains(trial.failure("define vertex attribute n string"), "real or integer"));
 }

@@ -54,7 +54,7 @@ TEST(Relax, TellsHowItEnded) {
   EXPECT_TRUE(trial.out("relax 3").starts_with("step limit reached after 3 iterations: energy "));
   EXPECT_EQ(trial.number("relax_converged"), 0);
   EXPECT_TRUE(trial.out("relax").starts_with("converged after "));
-  EXPECT_TRUE(trial.out("relax 0").starts_with("converged after 0 iterations"));
+  EXPECT_TRUE(trial.out("relax 0").starts_with("step limit reached after 0 iterations"));
 }
 
 TEST(Relax, Options) {

@@ -11,7 +11,7 @@ TEST(TinyEdges, CollapsesWhatIsShorter) {
   EXPECT_EQ(trial.out("t 0.3"), "Deleted edges: 0\n");
   EXPECT_EQ(trial.out("t 0.36"), "Deleted edges: 24\n");
   EXPECT_EQ(trial.out("c; check"),
-            "Vertices: 26  Edges: 72  Facets: 48  Bodies: 1  Facetedges: 144\nChecks completed.\n");
+            "Vertices: 14  Edges: 36  Facets: 24  Bodies: 1  Facetedges: 72\nChecks completed.\n");
   EXPECT_EQ(trial.number("edge_delete_count"), 24);
 }
 

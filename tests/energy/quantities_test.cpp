@@ -22,6 +22,7 @@ constexpr const char* integrand = "x^2*y - sin(z) + 0.3*exp(x*z)";
 scene::Scene scene_with(Method method) {
   scene::Scene scene;
   scene.film = test::cube().film;
+  scene.bodies.resize(1);
   test::jitter(scene.film, 7, 0.15);
   MethodInstance instance;
   instance.method = method;

@@ -49,10 +49,12 @@ TEST(Evolve, KeepsVolumeEnergyAndMomentum) {
     return Vec3{0.1 + 0.2 * (p.x - 0.5), 0.05, -0.2 * (p.z - 0.5)};
   });
   scene::Monitor monitor;
-  evolve(scene, 1, {}, monitor);
-  const EvolveReport first = evolve(scene, 0, {}, monitor);
+  StepSize size;
+  size.upkeep = false;
+  evolve(scene, 1, size, monitor);
+  const EvolveReport first = evolve(scene, 0, size, monitor);
   const Vec3 before = momentum(scene);
-  const EvolveReport report = evolve(scene, 400, {}, monitor);
+  const EvolveReport report = evolve(scene, 400, size, monitor);
   EXPECT_EQ(report.ending, Ending::step_limit);
   EXPECT_EQ(report.undone, 0);
   EXPECT_LT(report.volume_error, 1e-11);

@@ -41,6 +41,11 @@ class EveryDatafile : public ::testing::TestWithParam<std::string> {
   const film::Film& film() { return trial_.session().scene().film; }
   energy::Measures measures() { return energy::measure(trial_.session().scene()); }
 
+  bool held() {
+    const scene::Scene& scene = trial_.session().scene();
+    return !scene.level_sets.empty() || !scene.boundaries.empty() || !scene.quantities.empty();
+  }
+
   // Runs a command and tests every invariant afterwards.
   void step(const std::string& command) {
     trial_.out(command);
@@ -68,7 +73,8 @@ TEST_P(EveryDatafile, KeepsItsInvariantsThroughMeshCommandsAndSaving) {
   const std::uint32_t facets = film().triangle_count();
   step("refine");
   EXPECT_LE(film().triangle_count(), 4 * facets);
-  expect_same(measures(), loaded, 1e-12);
+  // New vertices on walls and curved wires are put onto them.
+  if (!held()) expect_same(measures(), loaded, 1e-12);
   step("equiangulate");
   step("average");
   const Folder folder;
@@ -106,6 +112,7 @@ TEST_P(EveryDatafile, KeepsItsInvariantsThroughMotion) {
 // Volumes belong to the bodies, not to the place where they stand.
 TEST_P(EveryDatafile, VolumesDoNotDependOnThePlace) {
   if (!energy::open_rims(film()).empty()) GTEST_SKIP() << "has a body that its films do not close";
+  if (held()) GTEST_SKIP() << "has walls, which do not move along";
   trial_.out("refine");
   scene::Scene scene = trial_.session().scene();
   const energy::Measures here = energy::measure(scene);

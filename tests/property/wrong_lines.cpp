@@ -76,7 +76,7 @@ constexpr const char* wrong_lines[] = {
     "relax tolerance nan",
     "relax tolerance",
     "relax method",
-    "relax method newton",
+    "relax method newtn",
     "relax method 3",
     "relax motion sideways",
     "relax motion",
