@@ -140,10 +140,11 @@ StarValue perpendicular_squared_curvature(const VertexStar& star, std::span<cons
   const Sums s = sums_of(star, positions);
   const double square = squared_length(s.normal);
   if (!(square > 0)) return chain(star, positions, 0, 0, {}, {});
+  // Twice the mean curvature, for both sums belong to a third of the star's area.
   const double ratio = dot(s.force, s.normal) / square;
-  const double value = 0.75 * s.area * ratio * ratio;
-  const double by_ratio = 1.5 * s.area * ratio;
-  return chain(star, positions, value, 0.75 * ratio * ratio, (by_ratio / square) * s.normal,
+  const double value = s.area * ratio * ratio / 12;
+  const double by_ratio = s.area * ratio / 6;
+  return chain(star, positions, value, ratio * ratio / 12, (by_ratio / square) * s.normal,
                (by_ratio / square) * (s.force - (2 * ratio) * s.normal));
 }
 

@@ -237,6 +237,14 @@ bool find_parameters(const Scene& scene, const Boundary& boundary, int number, V
 }  // namespace
 
 void settle_vertices(Scene& scene, std::uint32_t first) {
+  // Inherited from an edge that runs backwards along a constraint, a number is negative, which is nothing to
+  // a vertex.
+  const auto unsign_constraints = [](Scene& of, std::uint32_t row) {
+    film::Column* const column = of.film.columns(ElementKind::vertex).edit(constraint_column);
+    for (int k = 0; column != nullptr && k < column->width; ++k) {
+      if (column->value(row, k) < 0) column->set(row, k, -column->value(row, k));
+    }
+  };
   const bool any = !scene.boundaries.empty() || !scene.level_sets.empty();
   if (!any) return;
   const film::Film& film = scene.film;
@@ -251,6 +259,7 @@ void settle_vertices(Scene& scene, std::uint32_t first) {
       scene.film.move(v, boundary_position(scene, boundary->second, parameters));
       continue;
     }
+    unsign_constraints(scene, row);
     const std::vector<int> numbers = constraints_of(scene, ElementKind::vertex, row);
     Vec3 point = film.position(v);
     if (!numbers.empty() && project_to_level_sets(scene, numbers, row, point, scene.constraint_tolerance))

@@ -79,7 +79,7 @@ TEST(HeldFilms, ConstraintsAreAttributes) {
   trial.out("unset vertices constraint 1");
   EXPECT_EQ(trial.number("count(vertex where on_constraint 1)"), 0);
   trial.out("set edge[2] constraint ground; refine");
-  EXPECT_EQ(trial.number("count(vertex where on_constraint ground)"), 4);
+  EXPECT_EQ(trial.number("count(vertex where on_constraint ground)"), 3);
   EXPECT_TRUE(contains(trial.failure("set vertex[1] constraint 5"), "there is no constraint 5"));
   EXPECT_TRUE(contains(trial.failure("print vertex[1].value_of_constraint 9"), "there is no constraint 9"));
 }
