@@ -92,12 +92,11 @@ void Motion::kick_and_drift(double kick, double drift) {
       velocity += kick * pushes_[v];
       work_ += 0.5 * kick * masses_[v] * dot(pushes_[v], velocity + v_[v]);
     }
-    const double undamped = 0.5 * masses_[v] * squared_length(velocity);
     next_v_[v] = kept * velocity;
     next_x_[v] = x_[v] + drift * next_v_[v];
-    next_kinetic_ += kept * kept * undamped;
-    damped_ += (1 - kept * kept) * undamped;
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
+  damped_ = next_kinetic_ > 0 ? (1 / (kept * kept) - 1) * next_kinetic_ : 0;
 }
 
 // The step of the gradient flow; next_v_ is how fast it moves.
