@@ -146,6 +146,13 @@ class Film {
   // --- positions
   std::span<const Vec3> positions() const { return *positions_; }
   const Vec3& position(Vertex v) const { return (*positions_)[v.index]; }
+  // Along an edge from its tail to its head; the corners of a facet, unfolded from the first one. What looks
+  // at the shape of the film asks for these: two vertices of one edge need not lie near each other.
+  Vec3 vector(SignedEdge e) const { return position(head(e)) - position(tail(e)); }
+  std::array<Vec3, 3> points(Triangle t) const {
+    const std::array<Vertex, 3>& v = corners(t);
+    return {position(v[0]), position(v[1]), position(v[2])};
+  }
   std::span<Vec3> edit_positions() { return positions_.edit(); }
   void move(Vertex v, const Vec3& to) { positions_.edit()[v.index] = to; }
   std::uint64_t position_revision() const { return positions_.revision(); }
