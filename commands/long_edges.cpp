@@ -21,8 +21,7 @@ void run(Session& session, const LongEdgesOptions& options) {
   for (std::uint32_t i = 0; i < edges; ++i) {
     const film::Edge e(i);
     if (!film.alive(e)) continue;
-    const auto& ends = film.ends(e);
-    if (length(film.position(ends[1]) - film.position(ends[0])) <= options.length) continue;
+    if (length(film.vector(e)) <= options.length) continue;
     surgery::split_edge(film, e);
     ++divided;
   }

@@ -15,7 +15,7 @@ double mean_edge_length(const film::Film& film) {
   double sum = 0;
   for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
     const film::Edge e(i);
-    if (film.alive(e)) sum += length(film.position(film.ends(e)[1]) - film.position(film.ends(e)[0]));
+    if (film.alive(e)) sum += length(film.vector(e));
   }
   return film.edge_count() > 0 ? sum / film.edge_count() : 0;
 }

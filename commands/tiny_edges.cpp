@@ -17,8 +17,7 @@ void run(Session& session, const TinyEdgesOptions& options) {
   for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
     const film::Edge e(i);
     if (!film.alive(e)) continue;
-    const auto& ends = film.ends(e);
-    if (length(film.position(ends[1]) - film.position(ends[0])) >= options.length) continue;
+    if (length(film.vector(e)) >= options.length) continue;
     if (surgery::collapse_edge(scene, e) == surgery::Collapse::done) ++collapsed;
     if (session.monitor().stop_requested()) break;
   }

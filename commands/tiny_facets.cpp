@@ -17,8 +17,8 @@ void run(Session& session, const TinyFacetsOptions& options) {
   for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
     const film::Triangle t(i);
     if (!film.alive(t)) continue;
-    const auto& c = film.corners(t);
-    const double area = energy::triangle_area(film.position(c[0]), film.position(c[1]), film.position(c[2]));
+    const std::array<film::Vec3, 3> p = film.points(t);
+    const double area = energy::triangle_area(p[0], p[1], p[2]);
     if (area >= options.area) continue;
     if (surgery::collapse_facet(scene, t) == surgery::Collapse::done) ++collapsed;
     if (session.monitor().stop_requested()) break;

@@ -52,6 +52,7 @@ class Assembler {
   void add_vertices();
   void add_edges();
   void add_triangles();
+  void wrap_edges();
   void add_columns(ElementKind kind);
   void add_inheriting_columns();
   void add_original(ElementKind kind);
@@ -89,13 +90,29 @@ void Assembler::add_vertices() {
   for (std::size_t i = 0; i < cuts_.size(); ++i) film_.add_vertex({});
 }
 
-// At the mean of the corners.
+// At the mean of the corners, as seen from the first one.
 void Assembler::place_centres() {
+  std::vector<Vec3> corners;
   for (const Cut& cut : cuts_) {
+    const std::span<const SignedEdge> edges = loop(cut.face);
+    corners.clear();
     Vec3 sum;
-    for (const SignedEdge e : loop(cut.face)) sum += film_.position(resolved_.tail(e));
-    film_.move(cut.centre, sum / static_cast<double>(loop(cut.face).size()));
+    for (const SignedEdge e : edges) {
+      Vec3 at = film_.position(resolved_.tail(e));
+      if (film_.periodic() && !corners.empty())
+        at = corners.back() + film_.vector(edges[corners.size() - 1]);
+      corners.push_back(at);
+      sum += at;
+    }
+    const Vec3 centre = sum / static_cast<double>(edges.size());
+    film_.move(cut.centre, centre);
+    for (std::size_t i = 0; i < edges.size(); ++i) film_.aim(spoke(cut, i), centre - corners[i]);
   }
+}
+
+void Assembler::wrap_edges() {
+  film_.set_lattice(film::Lattice(*reading_.periods));
+  for (std::uint32_t e = 0; e < rows_.edge_wraps.size(); ++e) film_.set_wrap(Edge(e), rows_.edge_wraps[e]);
 }
 
 void Assembler::add_edges() {
@@ -226,6 +243,7 @@ void Assembler::run() {
   add_vertices();
   add_edges();
   add_triangles();
+  if (reading_.periods) wrap_edges();
   drop_needless_backcolor(rows_.columns_of(ElementKind::facet));
   for (const ElementKind kind : {ElementKind::vertex, ElementKind::edge, ElementKind::facet})
     add_columns(kind);
@@ -298,6 +316,8 @@ void assemble_bodies(Reading& reading, const std::vector<film::Region>& regions)
     if (const auto& actual = rows.bodies[row].actual_volume) {
       body.volume_offset = actual->value - volume_under(scene, regions[row]);
     }
+    // It makes up for how another program counts periods.
+    if (scene.film.periodic()) body.volume_offset = 0;
     body.ramp = ramp_of(ramps == columns.end() ? nullptr : &*ramps, row);
   }
   for (const auto& [row, original] : rows.originals[static_cast<std::size_t>(ElementKind::body)]) {

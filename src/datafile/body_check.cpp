@@ -259,7 +259,7 @@ void BodyCheck::check_boundary(const Body& body) {
     } else if (gap.valid()) {
       report_gap(body, gap);
     }
-  } else if (!on_rims && rows_.bodies[body.row].volume && is_inside_out(body)) {
+  } else if (!on_rims && !reading_.periods && rows_.bodies[body.row].volume && is_inside_out(body)) {
     const Numbering& bodies = rows_.of(ElementKind::body);
     reading_.findings.error(reading_.tokens.place(bodies.spots[body.row]),
                             fmt::format("body {} is listed inside out", body_id(body.row)),

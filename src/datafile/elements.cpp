@@ -49,6 +49,7 @@ class ListReader {
   [[noreturn]] void refuse_coordinates();
   void check_coordinates();
   void ends();
+  void wrap();
   void signed_list(SignedLists& lists, std::string_view what, std::string_view wanted);
   std::uint32_t reference(std::string_view what);
   void close_list(SignedLists& lists) {
@@ -288,10 +289,30 @@ void ListReader::ends() {
     ends[end] = reference("vertex");
     rows().edge_end_spots.back()[end] = spot;
   }
+  if (reading_.periods) wrap();
   if (!line_.at_line_end() && line_.at_whole()) {
     throw text::Error(line_.place(line_.here()), fmt::format("edge {} has more than two vertices", id));
   }
   rows().edge_ends.back() = ends;
+}
+
+// Three signs: how the edge goes around each period.
+void ListReader::wrap() {
+  film::Wrap wrap;
+  for (std::int32_t& times : wrap.times) {
+    if (line_.accept("+")) {
+      times = 1;
+    } else if (line_.accept("-")) {
+      times = -1;
+    } else if (!line_.accept("*")) {
+      throw text::Error(line_.place(line_.here()),
+                        fmt::format("edge {} needs three signs, for how it goes around the periods",
+                                    rows().of(ElementKind::edge).ids.back()),
+                        "+ for once around, - for once backward, * for not at all: 1  4 7  * + *");
+    }
+  }
+  rows().edge_wraps.resize(rows().edge_ends.size());
+  rows().edge_wraps.back() = wrap;
 }
 
 void ListReader::signed_list(SignedLists& lists, std::string_view what, std::string_view wanted) {

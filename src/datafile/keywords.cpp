@@ -32,12 +32,7 @@ struct RefusedWord {
   std::string_view feature;
 };
 
-constexpr std::array<RefusedWord, 51> refused_words = {{
-    {"torus", "periodic films"},
-    {"torus_filled", "periodic films"},
-    {"periods", "periodic films"},
-    {"torus_periods", "periodic films"},
-    {"display_periods", "periodic films"},
+constexpr std::array<RefusedWord, 46> refused_words = {{
     {"symmetry_group", "symmetry groups"},
     {"rotation_order", "symmetry groups"},
     {"string", "the string model: films of one dimension"},

@@ -1,7 +1,9 @@
 // What the parts of the reader share while one datafile is read.
 #pragma once
 
+#include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -22,7 +24,8 @@ struct Reading {
   scene::Scene scene;  // settings and variables; the film comes last
   Rows rows;
   std::vector<text::Place> procedures;  // of the top section, from their first word to the closing brace
-  bool keep_originals = false;          // elements keep their numbers
+  std::optional<std::array<film::Vec3, 3>> periods;  // of a periodic film
+  bool keep_originals = false;                       // elements keep their numbers
   bool keep_macros = false;             // macros stay in force in the commands after `read`
   std::map<std::string, text::Place, std::less<>> defined;  // where each variable was, by lower-case name
   // Numbers of constraints and boundaries that have names, in lower case.

@@ -35,6 +35,7 @@ class Resolver {
   void loops();
   void loop(std::size_t face);
   bool closes(std::size_t face);
+  bool wraps_cancel(std::size_t face);
   void report_gap(std::size_t face, std::size_t entry, bool at_the_end);
   void body_faces();
   std::uint32_t vertex_id(Vertex v) const { return rows_.of(ElementKind::vertex).ids[v.index]; }
@@ -83,7 +84,8 @@ void Resolver::edges() {
           Vertex(find(vertices_, ElementKind::vertex, id, rows_.edge_end_spots[e][end]));
     }
     const auto& [tail, head] = result_.edge_ends[e];
-    if (tail.valid() && tail == head) {
+    const bool around = e < rows_.edge_wraps.size() && rows_.edge_wraps[e] != film::Wrap{};
+    if (tail.valid() && tail == head && !around) {
       reading_.findings.error(reading_.tokens.place(rows_.edge_end_spots[e][1]),
                               fmt::format("edge {} begins and ends at vertex {}",
                                           rows_.of(ElementKind::edge).ids[e], vertex_id(tail)));
@@ -134,8 +136,25 @@ bool Resolver::closes(std::size_t face) {
     report_gap(face, i + 1, false);
     return false;
   }
-  if (result_.head(result_.loops[end - 1]) == result_.tail(result_.loops[begin])) return true;
-  report_gap(face, end - 1, true);
+  if (result_.head(result_.loops[end - 1]) != result_.tail(result_.loops[begin])) {
+    report_gap(face, end - 1, true);
+    return false;
+  }
+  return !reading_.periods || wraps_cancel(face);
+}
+
+bool Resolver::wraps_cancel(std::size_t face) {
+  film::Wrap sum;
+  for (std::size_t i = rows_.loops.begins[face]; i < rows_.loops.begins[face + 1]; ++i)
+    sum = sum + rows_.wrap_of(result_.loops[i]);
+  if (sum == film::Wrap{}) return true;
+  const Numbering& faces = rows_.of(ElementKind::facet);
+  reading_.findings.error(
+      reading_.tokens.place(faces.spots[face]),
+      fmt::format("face {} does not close: around it one comes to an image of its first vertex, {} {} {} "
+                  "periods away",
+                  faces.ids[face], sum[0], sum[1], sum[2]),
+      "the signs of its edges have to cancel");
   return false;
 }
 

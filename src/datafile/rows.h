@@ -10,6 +10,8 @@
 
 #include "datafile/spot.h"
 #include "film/column.h"
+#include "film/ids.h"
+#include "film/lattice.h"
 #include "film/vec3.h"
 #include "scene/scene.h"
 
@@ -82,10 +84,16 @@ struct Rows {
   int coordinates = 0;                                  // that the last vertex was given
   std::vector<std::array<std::uint32_t, 2>> edge_ends;  // numbers of vertices
   std::vector<std::array<Spot, 2>> edge_end_spots;
+  std::vector<film::Wrap> edge_wraps;  // in a periodic film
   SignedLists loops;       // of the faces: signed edges
   SignedLists body_faces;  // signed faces
   std::vector<BodyRow> bodies;
 
+  film::Wrap wrap_of(film::SignedEdge e) const {
+    if (e.edge().index >= edge_wraps.size()) return {};
+    const film::Wrap& w = edge_wraps[e.edge().index];
+    return e.reversed() ? -w : w;
+  }
   Numbering& of(film::ElementKind kind) { return numbering[static_cast<std::size_t>(kind)]; }
   const Numbering& of(film::ElementKind kind) const { return numbering[static_cast<std::size_t>(kind)]; }
   std::vector<film::Column>& columns_of(film::ElementKind kind) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -55,7 +56,28 @@ void require_dimension(Reading& reading, const Token& word, double wanted, std::
   if (number_after(reading, word) != wanted) reading.refuse(word.place, text::lower(word.text), feature);
 }
 
-constexpr std::array<Setting, 19> setting_table = {{
+// Space that repeats itself, in unit cubes until told otherwise. Whether bodies fill it shows by itself.
+void read_torus(Reading& reading, const Token&) {
+  if (!reading.periods) reading.periods = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+}
+
+void read_periods(Reading& reading, const Token& word) {
+  std::array<film::Vec3, 3> periods;
+  for (film::Vec3& period : periods) {
+    for (int axis = 0; axis < 3; ++axis)
+      period[axis] = top_value(reading, fmt::format("\"{}\" needs three vectors of three numbers", word.text));
+  }
+  const double cell = std::abs(dot(periods[0], cross(periods[1], periods[2])));
+  if (!(cell > 1e-12 * length(periods[0]) * length(periods[1]) * length(periods[2])))
+    throw text::Error(word.place, "the periods lie in a plane", "three independent vectors are needed");
+  reading.periods = periods;
+}
+
+constexpr std::array<Setting, 23> setting_table = {{
+    {"torus", read_torus},
+    {"torus_filled", read_torus},
+    {"periods", read_periods},
+    {"torus_periods", read_periods},
     {"gravity_constant",
      [](Reading& r, const Token& word) { r.scene.gravity.constant = number_after(r, word); }},
     {"scale", read_scale},

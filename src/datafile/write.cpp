@@ -1,5 +1,7 @@
 #include "datafile/write.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -23,8 +25,23 @@ void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&.
   fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
 }
 
+// Whether bodies fill space.
+bool is_filled(const scene::Scene& scene) {
+  const auto& pairs = scene.film.connectivity().triangle_regions;
+  return std::none_of(pairs.begin(), pairs.end(), [](const film::RegionPair& pair) {
+    return pair.front == film::outside_region || pair.behind == film::outside_region;
+  });
+}
+
+void write_periods(std::string& out, const scene::Scene& scene) {
+  if (!scene.film.periodic()) return;
+  out += is_filled(scene) ? "torus_filled\nperiods\n" : "torus\nperiods\n";
+  for (const film::Vec3& p : scene.film.lattice()->periods()) put(out, "{} {} {}\n", p.x, p.y, p.z);
+}
+
 void write_settings(std::string& out, const scene::Scene& scene) {
   const scene::Scene blank;
+  write_periods(out, scene);
   if (scene.gravity.constant != blank.gravity.constant)
     put(out, "gravity_constant {}\n", scene.gravity.constant);
   if (scene.scale.value != blank.scale.value || scene.scale.fixed) {
@@ -86,9 +103,18 @@ void write_cosmetics(std::string& out, const scene::Scene& scene) {
   }
 }
 
-}  // namespace
+// A datafile has signs for edges that go around a period once. In a cell no short edge does more.
+bool goes_far(const film::Film& film) {
+  for (std::uint32_t e = 0; film.periodic() && e < film.edge_rows(); ++e) {
+    if (!film.alive(film::Edge(e))) continue;
+    const film::Wrap wrap = film.wrap(film::SignedEdge(film::Edge(e), false));
+    if (std::any_of(wrap.times.begin(), wrap.times.end(), [](int times) { return std::abs(times) > 1; }))
+      return true;
+  }
+  return false;
+}
 
-std::string write_datafile(const scene::Scene& scene) {
+std::string write_scene(const scene::Scene& scene) {
   std::string out = title_comment(scene.title);
   if (!out.empty()) out += '\n';
   const std::size_t top = out.size();
@@ -103,6 +129,15 @@ std::string write_datafile(const scene::Scene& scene) {
   write_elements(out, scene);
   write_commands(out, scene);
   return out;
+}
+
+}  // namespace
+
+std::string write_datafile(const scene::Scene& scene) {
+  if (!goes_far(scene.film)) return write_scene(scene);
+  scene::Scene gathered = scene;
+  gathered.film.gather_in_cell();
+  return write_scene(gathered);
 }
 
 }  // namespace lamella::datafile

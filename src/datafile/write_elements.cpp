@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <iterator>
 #include <vector>
@@ -190,6 +191,18 @@ void write_vertices(std::string& out, const scene::Scene& scene) {
   }
 }
 
+// An edge that goes around more than once cannot be written down.
+void write_wrap(std::string& out, const Film& film, Edge e) {
+  const film::Wrap wrap = film.wrap(film::SignedEdge(e, false));
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::abs(wrap[i]) > 1) {
+      throw text::Error(
+          fmt::format("cannot save: edge {} goes around period {} more than once", film.number(e), i + 1));
+    }
+    out += wrap[i] > 0 ? " +" : wrap[i] < 0 ? " -" : " *";
+  }
+}
+
 void write_edges(std::string& out, const scene::Scene& scene) {
   const Film& film = scene.film;
   const ConstraintWriter constraints(scene, ElementKind::edge);
@@ -201,6 +214,7 @@ void write_edges(std::string& out, const scene::Scene& scene) {
     if (!film.alive(e)) continue;
     fmt::format_to(std::back_inserter(out), FMT_COMPILE("{} {} {}"), film.number(e),
                    film.number(film.ends(e)[0]), film.number(film.ends(e)[1]));
+    if (film.periodic()) write_wrap(out, film, e);
     constraints.write(out, row);
     memberships.write(out, row);
     attributes.write(out, row, film.number(e));

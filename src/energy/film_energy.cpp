@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "energy/periodic_volume.h"
 #include "scene/constraint_sets.h"
 
 namespace lamella::energy {
@@ -31,9 +32,25 @@ std::vector<film::Region> regions_where(const scene::Scene& scene, auto&& wanted
   return regions;
 }
 
+// In a periodic film bodies may fill all of space: the volumes of all but one tell that of the last.
+bool fills_space(const scene::Scene& scene) {
+  if (!scene.film.periodic() || scene.bodies.empty()) return false;
+  const auto& pairs = scene.film.connectivity().triangle_regions;
+  const auto outside = [](const film::RegionPair& pair) {
+    return pair.front != pair.behind &&
+           (pair.front == film::outside_region || pair.behind == film::outside_region);
+  };
+  return std::none_of(pairs.begin(), pairs.end(), outside) &&
+         std::all_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const scene::Body& body) { return body.absent || body.fixed_volume(); });
+}
+
 std::vector<film::Region> constrained_regions(const scene::Scene& scene) {
   if (!scene.keep_volumes) return {};
-  return regions_where(scene, [](const scene::Body& body) { return body.fixed_volume(); });
+  std::vector<film::Region> regions =
+      regions_where(scene, [](const scene::Body& body) { return body.fixed_volume(); });
+  if (!regions.empty() && fills_space(scene)) regions.pop_back();
+  return regions;
 }
 
 std::vector<film::Region> pressurised_regions(const scene::Scene& scene) {
@@ -53,6 +70,7 @@ scene::Scene prepared(const scene::Scene& scene) {
 FilmEnergy::FilmEnergy(const scene::Scene& scene)
     : scene_(prepared(scene)),
       vertex_count_(scene.film.vertex_rows()),
+      unfolding_(scene.film.periodic() ? film::Unfolding(scene.film) : film::Unfolding{}),
       open_volume_(scene.symmetric_content ? OpenVolume::cone_from_origin : OpenVolume::above_plane),
       constraints_(scene),
       energy_edges_(energy::energy_edges(scene_)),
@@ -61,7 +79,7 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
       boundary_gaps_(boundary_gap_edges(scene_)),
       heavy_(heavy_facets(scene)),
       volumes_(scene.bodies.size() + 1),
-      lines_(vertex_count_),
+      lines_(std::max(vertex_count_, unfolding_.rows())),
       constrained_(constrained_regions(scene)),
       pressurised_(pressurised_regions(scene)),
       constrained_gradient_(scene.film, rows_of(constrained_, volumes_.size()),
@@ -71,7 +89,7 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
                          static_cast<int>(pressurised_.size()), {}, content_edges_,
                          scene.edge_integral_order) {
   const film::Connectivity& complex = scene_.film.connectivity();
-  input_.triangles = complex.triangle_vertices;
+  input_.triangles = unfolding_.empty() ? complex.triangle_vertices : unfolding_.triangles();
   input_.regions = complex.triangle_regions;
   input_.tension = scene_.film.columns(ElementKind::facet).reals("tension");
   input_.has_regions = labelled(input_.regions);
@@ -80,13 +98,14 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
   collect_tense_edges(scene);
   for (const scene::Quantity& quantity : scene_.quantities) {
     if (quantity.role == scene::QuantityRole::energy && quantity.modulus != 0)
-      quantities_.emplace_back(scene_, quantity, scene.film.positions());
+      quantities_.emplace_back(scene_, quantity, scene.film.positions(), unfolding_);
   }
-  if (!quantities_.empty()) quantity_gradient_.resize(vertex_count_);
+  if (!quantities_.empty()) quantity_gradient_.resize(lines_.size());
+  if (scene.film.periodic()) whole_cells_ = whole_cells(scene, unfolding_);
 }
 
-void FilmEnergy::add_quantity_hessians(std::span<const Vec3> positions, HessianSink& sink) const {
-  for (const QuantitySum& quantity : quantities_) quantity.add_hessian(positions, scene_.time, 1, sink);
+void FilmEnergy::add_quantity_hessians(std::span<const Vec3> rows, HessianSink& sink) const {
+  for (const QuantitySum& quantity : quantities_) quantity.add_hessian(rows, scene_.time, 1, sink);
 }
 
 void FilmEnergy::set_time(double time) {
@@ -102,7 +121,7 @@ void FilmEnergy::renew_constraints(std::span<const Vec3> positions, std::span<co
 void FilmEnergy::collect_tense_edges(const scene::Scene& scene) {
   const std::span<const double> tension = scene.film.columns(ElementKind::edge).reals("tension");
   for (std::uint32_t e = 0; e < tension.size(); ++e) {
-    const auto& ends = scene.film.ends(film::Edge(e));
+    const auto& ends = unfolding_.empty() ? scene.film.ends(film::Edge(e)) : unfolding_.edges()[e];
     if (tension[e] != 0) tense_.push_back({ends[0], ends[1], tension[e]});
   }
 }
@@ -110,11 +129,16 @@ void FilmEnergy::collect_tense_edges(const scene::Scene& scene) {
 // Volumes are measured from a point of the film, so that a scene far from the origin loses no digits.
 void FilmEnergy::start(std::span<const Vec3> positions) {
   assert(positions.size() == vertex_count_);
-  input_.positions = positions;
+  input_.positions = unfolding_.empty() ? positions : unfolding_.extend(positions, extended_);
   input_.origin = positions.empty() ? Vec3{} : positions[0];
 }
 
-double FilmEnergy::other_terms(std::span<const Vec3> positions) {
+double FilmEnergy::other_terms() {
+  const std::span<const Vec3> positions = input_.positions;
+  if (!unfolding_.empty()) {
+    unfolding_.add_volumes(positions, input_.origin, volumes_);
+    for (std::size_t r = 0; r < volumes_.size(); ++r) volumes_[r] += whole_cells_[r];
+  }
   add_rim_volumes(rims_, positions, input_.origin, open_volume_, volumes_);
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) volumes_[b + 1] += scene_.bodies[b].volume_offset;
   const int order = scene_.edge_integral_order;
@@ -144,7 +168,8 @@ double FilmEnergy::other_terms(std::span<const Vec3> positions) {
   return energy;
 }
 
-void FilmEnergy::add_other_gradients(std::span<const Vec3> positions) {
+void FilmEnergy::add_other_gradients() {
+  const std::span<const Vec3> positions = input_.positions;
   for (const FieldEdge& edge : energy_edges_) {
     const EdgeGradient g = edge_integral_gradient(edge, positions, scene_.time, scene_.edge_integral_order);
     lines_[edge.from.index].gradient += g.from;
@@ -176,27 +201,32 @@ void FilmEnergy::add_other_gradients(std::span<const Vec3> positions) {
     lines_[edge.tail.index].gradient -= pull;
     lines_[edge.head.index].gradient += pull;
   }
-  if (!pressurised_.empty()) {
-    pressure_gradient_.update(input_, lines_, open_volume_, scene_.time);
-    pressure_gradient_.set_multipliers(pressures_);
-    for (std::size_t v = 0; v < vertex_count_; ++v) lines_[v].gradient -= pressure_gradient_.pull(v);
-  }
+  unfolding_.fold<VertexLine>(lines_);
+  add_pressure_gradients();
+}
+
+void FilmEnergy::add_pressure_gradients() {
+  if (pressurised_.empty()) return;
+  pressure_gradient_.update(input_, lines_, open_volume_, scene_.time);
+  pressure_gradient_.set_multipliers(pressures_);
+  for (std::size_t v = 0; v < vertex_count_; ++v) lines_[v].gradient -= pressure_gradient_.pull(v);
 }
 
 double FilmEnergy::value(std::span<const Vec3> positions) {
   start(positions);
   const SweepSums sums = sweep_energy(input_, volumes_);
   area_ = sums.area;
-  return sums.energy + other_terms(positions);
+  return sums.energy + other_terms();
 }
 
 double FilmEnergy::gradient(std::span<const Vec3> positions) {
   start(positions);
   const SweepSums sums = sweep_gradient(input_, volumes_, lines_);
+  unfolding_.fold<VertexLine>(lines_);
   area_ = sums.area;
-  const double energy = sums.energy + other_terms(positions);
+  const double energy = sums.energy + other_terms();
   if (!constrained_.empty()) constrained_gradient_.update(input_, lines_, open_volume_, scene_.time);
-  add_other_gradients(positions);
+  add_other_gradients();
   if (!constraints_.empty()) renew_constraints(positions, {});
   return energy;
 }

@@ -17,6 +17,7 @@
 #include "energy/quantity_sums.h"
 #include "energy/sweep.h"
 #include "energy/volume_gradient.h"
+#include "film/unfolding.h"
 #include "scene/scene.h"
 
 namespace lamella::energy {
@@ -36,8 +37,8 @@ class FilmEnergy {
   // Volume of region r at the last call, volconst included; [0] is meaningless.
   std::span<const double> volumes() const { return volumes_; }
   double area() const { return area_; }  // plain area at the last call
-  std::span<VertexLine> lines() { return lines_; }
-  std::span<const VertexLine> lines() const { return lines_; }
+  std::span<VertexLine> lines() { return {lines_.data(), vertex_count_}; }
+  std::span<const VertexLine> lines() const { return {lines_.data(), vertex_count_}; }
   std::size_t vertex_count() const { return vertex_count_; }
   std::size_t triangle_count() const { return input_.triangles.size(); }
 
@@ -63,12 +64,20 @@ class FilmEnergy {
     film::Vertex head;
     double tension = 0;
   };
+  // In a periodic film the corners of its triangles are rows of the unfolding.
   const SweepInput& input() const { return input_; }
+  const film::Unfolding& unfolding() const { return unfolding_; }  // empty where there are no periods
+  film::Vertex vertex_of(film::Vertex row) const {
+    return unfolding_.empty() ? row : unfolding_.vertex_of(row);
+  }
+  const std::array<film::Vertex, 3>& vertices(std::size_t triangle) const {
+    return scene_.film.connectivity().triangle_vertices[triangle];
+  }
   std::span<const HeavyFacet> heavy() const { return heavy_; }
   std::span<const TenseEdge> tense_edges() const { return tense_; }
   std::span<const RimEdge> rims() const { return rims_; }
-  // The second derivatives of the named quantities at given positions.
-  void add_quantity_hessians(std::span<const Vec3> positions, HessianSink& sink) const;
+  // The second derivatives of the named quantities; positions and sink go by rows of the unfolding, if any.
+  void add_quantity_hessians(std::span<const Vec3> rows, HessianSink& sink) const;
   std::span<const FieldEdge> energy_edges() const { return energy_edges_; }
   std::span<const FieldEdge> content_edges() const { return content_edges_; }
   std::span<const GapEdge> gaps() const { return gaps_; }
@@ -83,13 +92,18 @@ class FilmEnergy {
 
  private:
   void collect_tense_edges(const scene::Scene& scene);
+  void unfold(const scene::Scene& scene);
   void start(std::span<const Vec3> positions);
-  double other_terms(std::span<const Vec3> positions);
-  void add_other_gradients(std::span<const Vec3> positions);
+  double other_terms();
+  void add_other_gradients();
+  void add_pressure_gradients();
 
   scene::Scene scene_;  // its film shares the arrays that input_ points into, its formulas are bound
   SweepInput input_;
   std::size_t vertex_count_ = 0;
+  film::Unfolding unfolding_;
+  std::vector<Vec3> extended_;      // positions with those of images
+  std::vector<double> whole_cells_;  // of each region's volume in a periodic film: see energy/periodic_volume.h
   OpenVolume open_volume_ = OpenVolume::above_plane;
   VertexConstraints constraints_;
   std::vector<FieldEdge> energy_edges_;

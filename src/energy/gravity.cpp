@@ -75,9 +75,8 @@ std::vector<HeavyFacet> heavy_facets(const scene::Scene& scene) {
 double gravity_energy(const scene::Scene& scene) {
   double energy = 0;
   for (const HeavyFacet& facet : heavy_facets(scene)) {
-    const auto& v = scene.film.corners(film::Triangle(facet.triangle));
-    energy += facet.weight * height_integral(scene.film.position(v[0]), scene.film.position(v[1]),
-                                             scene.film.position(v[2]));
+    const std::array<Vec3, 3> p = scene.film.points(film::Triangle(facet.triangle));
+    energy += facet.weight * height_integral(p[0], p[1], p[2]);
   }
   return energy;
 }

@@ -6,6 +6,7 @@
 #include "energy/film_energy.h"
 #include "energy/gap.h"
 #include "energy/gravity.h"
+#include "energy/periodic_volume.h"
 #include "energy/quantity_sums.h"
 #include "scene/constraint_sets.h"
 
@@ -19,8 +20,7 @@ double total_length(const film::Film& film, std::span<const double> tension, dou
   double sum = 0;
   for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
     if (!film.alive(film::Edge(i))) continue;
-    const auto& ends = film.ends(film::Edge(i));
-    const double l = length(film.position(ends[1]) - film.position(ends[0]));
+    const double l = length(film.vector(film::Edge(i)));
     sum += l;
     if (!tension.empty()) tense += tension[i] * l;
   }
@@ -44,7 +44,7 @@ void add_formula_terms(const scene::Scene& scene, Measures& m) {
   }
   for (const scene::Quantity& quantity : bound.quantities) {
     if (quantity.role == scene::QuantityRole::energy && quantity.modulus != 0)
-      m.energy += QuantitySum(bound, quantity, positions).value(positions, scene.time);
+      m.energy += quantity_value_of_bound(bound, quantity);
   }
 }
 
@@ -84,12 +84,24 @@ Measures measure(const scene::Scene& scene) {
   input.tension = film.columns(ElementKind::facet).reals("tension");
   input.has_regions = !scene.bodies.empty();
   if (!input.positions.empty()) input.origin = input.positions[0];
+  film::Unfolding unfolding;
+  std::vector<Vec3> extended;
+  if (film.periodic()) {
+    unfolding = film::Unfolding(film);
+    input.positions = unfolding.extend(input.positions, extended);
+    input.triangles = unfolding.triangles();
+  }
   const SweepSums sums = sweep_energy(input, m.volumes);
   m.area = sums.area;
   m.energy = sums.energy;
   m.length = total_length(film, film.columns(ElementKind::edge).reals("tension"), m.energy);
   if (has_formulas(scene)) add_formula_terms(scene, m);
   if (scene.bodies.empty()) return m;
+  if (film.periodic()) {
+    unfolding.add_volumes(extended, input.origin, m.volumes);
+    const std::vector<double> cells = whole_cells(scene, unfolding);
+    for (std::size_t r = 0; r < cells.size(); ++r) m.volumes[r] += cells[r];
+  }
 
   const OpenVolume convention =
       scene.symmetric_content ? OpenVolume::cone_from_origin : OpenVolume::above_plane;

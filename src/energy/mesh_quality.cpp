@@ -11,19 +11,20 @@ double smallest_angle(const film::Film& film) {
   double smallest = M_PI;
   const auto fixed = film.columns(film::ElementKind::vertex).flags("fixed");
   const auto held = [&](film::Vertex v) { return !fixed.empty() && fixed[v.index] != 0; };
-  for (const auto& c : film.connectivity().triangle_vertices) {
+  for (std::uint32_t t = 0; t < film.triangle_rows(); ++t) {
+    const auto& c = film.corners(film::Triangle(t));
     if (!c[0].valid() || (held(c[0]) && held(c[1]) && held(c[2]))) continue;
-    smallest =
-        std::min(smallest, smallest_angle(film.position(c[0]), film.position(c[1]), film.position(c[2])));
+    const std::array<film::Vec3, 3> p = film.points(film::Triangle(t));
+    smallest = std::min(smallest, smallest_angle(p[0], p[1], p[2]));
   }
   return smallest;
 }
 
 EdgeLengths edge_lengths(const film::Film& film) {
   EdgeLengths lengths{HUGE_VAL, 0};
-  for (const auto& ends : film.connectivity().edge_vertices) {
-    if (!ends[0].valid()) continue;
-    const double l = length(film.position(ends[1]) - film.position(ends[0]));
+  for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
+    if (!film.alive(film::Edge(e))) continue;
+    const double l = length(film.vector(film::Edge(e)));
     lengths.shortest = std::min(lengths.shortest, l);
     lengths.longest = std::max(lengths.longest, l);
   }

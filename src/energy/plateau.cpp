@@ -51,7 +51,7 @@ Vec3 conormal(const Film& film, Side s, const Vec3& axis) {
 }
 
 void add_border(const Film& film, Edge e, Deviations& deviations) {
-  const Vec3 axis = unit(film.position(film.ends(e)[1]) - film.position(film.ends(e)[0]));
+  const Vec3 axis = unit(film.vector(e));
   std::vector<Vec3> into;
   film.for_each_side(e, [&](Side s) { into.push_back(conormal(film, s, axis)); });
   for (std::size_t i = 0; i < into.size(); ++i) {
@@ -93,7 +93,7 @@ PlateauAngles plateau_angles(const Film& film) {
     std::vector<Vec3> along;
     film.for_each_end(Vertex(i), [&](EdgeEnd end) {
       if (film.valence(end.edge()) < 3) return;
-      along.push_back(film.position(film.head(end.outward())) - film.position(Vertex(i)));
+      along.push_back(film.vector(end.outward()));
     });
     for (std::size_t a = 0; a < along.size(); ++a) {
       for (std::size_t b = a + 1; b < along.size(); ++b) quad.add(film::angle_between(along[a], along[b]));

@@ -29,10 +29,12 @@ bool is_alive(const Film& film, ElementKind kind, std::uint32_t row) {
                                      : film.alive(Triangle(row));
 }
 
-std::array<Vertex, 3> corners_of(const Film& film, ElementKind kind, std::uint32_t row) {
+std::array<Vertex, 3> corners_of(const Film& film, const film::Unfolding& unfolding, ElementKind kind,
+                                 std::uint32_t row) {
   if (kind == ElementKind::vertex) return {Vertex(row), Vertex(row), Vertex(row)};
-  if (kind == ElementKind::facet) return film.corners(Triangle(row));
-  const auto& ends = film.ends(Edge(row));
+  if (kind == ElementKind::facet)
+    return unfolding.empty() ? film.corners(Triangle(row)) : unfolding.triangles()[row];
+  const auto& ends = unfolding.empty() ? film.ends(Edge(row)) : unfolding.edges()[row];
   return {ends[0], ends[1], ends[1]};
 }
 
@@ -96,15 +98,16 @@ double tension_of(const scene::Scene& scene, Method method, std::uint32_t row) {
 }  // namespace
 
 QuantitySum::QuantitySum(const scene::Scene& scene, const scene::Quantity& quantity,
-                         std::span<const Vec3> positions)
+                         std::span<const Vec3> positions, const film::Unfolding& unfolding)
     : edge_order_(scene.edge_integral_order),
       facet_order_(scene.facet_integral_order),
       constant_(quantity.modulus * quantity.constant) {
-  for (const MethodInstance& instance : quantity.methods) collect(scene, quantity, instance, positions);
+  for (const MethodInstance& instance : quantity.methods) collect(scene, quantity, instance, positions, unfolding);
 }
 
 void QuantitySum::collect(const scene::Scene& scene, const scene::Quantity& quantity,
-                          const MethodInstance& instance, std::span<const Vec3> positions) {
+                          const MethodInstance& instance, std::span<const Vec3> positions,
+                          const film::Unfolding& unfolding) {
   const ElementKind kind = scene::element_of(instance.method);
   const Membership membership(scene, quantity, instance);
   const film::Column* const weight =
@@ -121,13 +124,13 @@ void QuantitySum::collect(const scene::Scene& scene, const scene::Quantity& quan
     factor *= tension_of(scene, instance.method, row);
     if (factor == 0) continue;
     if (of_stars) {
-      stars_.push_back({star_of(scene.film, Vertex(row)), instance.method, factor});
+      stars_.push_back({star_of(scene.film, unfolding, Vertex(row)), instance.method, factor});
       if (instance.method == Method::star_perp_sq_mean_curvature)
         stars_.back().star.mirrors = mirrors_at(scene, row, positions[row]);
       continue;
     }
     part.elements.push_back(
-        {corners_of(scene.film, kind, row), factor, static_cast<std::uint32_t>(part.attributes.size())});
+        {corners_of(scene.film, unfolding, kind, row), factor, static_cast<std::uint32_t>(part.attributes.size())});
     for (const language::Formula* formula :
          {&instance.scalar, &instance.field[0], &instance.field[1], &instance.field[2]}) {
       const std::vector<double> values = scene::attributes_of(scene.film, *formula, kind, row);
@@ -221,7 +224,8 @@ double QuantitySum::add_gradient(std::span<const Vec3> positions, double time, d
     sum += star.factor * value.value;
     gradient[star.star.vertex] += times * value.at_vertex;
     for (std::size_t t = 0; t < value.at_others.size(); ++t) {
-      for (std::size_t k = 0; k < 2; ++k) gradient[star.star.others[t][k]] += times * value.at_others[t][k];
+      for (std::size_t k = 0; k < 2; ++k)
+        gradient[star.star.triangles[t][k + 1]] += times * value.at_others[t][k];
     }
   }
   return sum;
@@ -249,8 +253,8 @@ std::vector<std::uint32_t> QuantitySum::support() const {
     }
   }
   for (const Star& star : stars_) {
-    vertices.push_back(star.star.vertex);
-    for (const auto& others : star.star.others) vertices.insert(vertices.end(), others.begin(), others.end());
+    for (const auto& corners : star.star.triangles)
+      vertices.insert(vertices.end(), corners.begin(), corners.end());
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -260,8 +264,16 @@ std::vector<std::uint32_t> QuantitySum::support() const {
 double quantity_value(const scene::Scene& scene, std::size_t row) {
   scene::Scene bound = scene;
   scene::bind_formulas(bound);
-  return QuantitySum(bound, bound.quantities[row], scene.film.positions())
-      .value(scene.film.positions(), scene.time);
+  return quantity_value_of_bound(bound, bound.quantities[row]);
+}
+
+double quantity_value_of_bound(const scene::Scene& scene, const scene::Quantity& quantity) {
+  const std::span<const Vec3> positions = scene.film.positions();
+  if (!scene.film.periodic()) return QuantitySum(scene, quantity, positions, {}).value(positions, scene.time);
+  const film::Unfolding unfolding(scene.film);
+  std::vector<Vec3> extended;
+  unfolding.extend(positions, extended);
+  return QuantitySum(scene, quantity, positions, unfolding).value(extended, scene.time);
 }
 
 }  // namespace lamella::energy

@@ -7,6 +7,7 @@
 
 #include "energy/element_jet.h"
 #include "energy/vertex_star.h"
+#include "film/unfolding.h"
 #include "scene/scene.h"
 
 namespace lamella::energy {
@@ -22,8 +23,10 @@ class HessianSink {
 // into the scene's quantities, which must live on and be bound.
 class QuantitySum {
  public:
-  // `positions` are those at which walls are taken for mirrors.
-  QuantitySum(const scene::Scene& scene, const scene::Quantity& quantity, std::span<const Vec3> positions);
+  // `positions` are those at which walls are taken for mirrors. In a periodic film everything below goes by
+  // the rows of its unfolding; elsewhere that is empty.
+  QuantitySum(const scene::Scene& scene, const scene::Quantity& quantity, std::span<const Vec3> positions,
+              const film::Unfolding& unfolding);
 
   double value(std::span<const Vec3> positions, double time) const;
   // Adds `factor` times the gradient to a row for each vertex; returns the value.
@@ -33,7 +36,7 @@ class QuantitySum {
   bool has_hessian() const { return stars_.empty(); }
   void add_hessian(std::span<const Vec3> positions, double time, double factor, HessianSink& sink) const;
 
-  // The vertices on which it depends, ascending.
+  // The rows on which it depends, ascending.
   std::vector<std::uint32_t> support() const;
 
  private:
@@ -55,7 +58,8 @@ class QuantitySum {
   };
 
   void collect(const scene::Scene& scene, const scene::Quantity& quantity,
-               const scene::MethodInstance& instance, std::span<const Vec3> positions);
+               const scene::MethodInstance& instance, std::span<const Vec3> positions,
+               const film::Unfolding& unfolding);
   ElementJet jet(const Part& part, const Element& element, std::span<const Vec3> positions, double time,
                  Order order) const;
 
@@ -68,5 +72,7 @@ class QuantitySum {
 
 // The value of the scene's quantity in this row, as things stand.
 double quantity_value(const scene::Scene& scene, std::size_t row);
+// The same of a scene whose formulas are bound.
+double quantity_value_of_bound(const scene::Scene& scene, const scene::Quantity& quantity);
 
 }  // namespace lamella::energy

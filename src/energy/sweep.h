@@ -22,6 +22,14 @@ struct alignas(64) VertexLine {
   double stiffness = 0;  // sum of tension * k over its triangles, k as in `stiffness_bound`
   Vec3 area_vector;      // a third of the vector areas around, each pointing to the region of lower number
   double area = 0;  // a third of the areas around: the mass of the film at the vertex, per unit of density
+
+  VertexLine& operator+=(const VertexLine& other) {
+    gradient += other.gradient;
+    stiffness += other.stiffness;
+    area_vector += other.area_vector;
+    area += other.area;
+    return *this;
+  }
 };
 
 // The largest eigenvalue of a triangle's cotangent stiffness matrix, which also bounds its 9x9 area Hessian:

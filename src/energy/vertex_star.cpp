@@ -73,8 +73,8 @@ struct Sums {
 
 Sums sums_of(const VertexStar& star, std::span<const Vec3> x) {
   Sums sums;
-  const Vec3& a = x[star.vertex];
-  for (const auto& [second, third] : star.others) {
+  for (const auto& [first, second, third] : star.triangles) {
+    const Vec3& a = x[first];
     const Vec3& b = x[second];
     const Vec3& c = x[third];
     sums.area += triangle_area(a, b, c);
@@ -97,8 +97,8 @@ StarValue chain(const VertexStar& star, std::span<const Vec3> x, double value, d
   }
   StarValue result;
   result.value = value;
-  const Vec3& a = x[star.vertex];
-  for (const auto& [second, third] : star.others) {
+  for (const auto& [first, second, third] : star.triangles) {
+    const Vec3& a = x[first];
     const Vec3& b = x[second];
     const Vec3& c = x[third];
     const std::array<Vec3, 3> g = triangle_area_gradient(a, b, c);
@@ -116,15 +116,17 @@ StarValue chain(const VertexStar& star, std::span<const Vec3> x, double value, d
 
 }  // namespace
 
-VertexStar star_of(const Film& film, Vertex v) {
+VertexStar star_of(const Film& film, const film::Unfolding& unfolding, Vertex v) {
   VertexStar star;
   star.vertex = v.index;
   for (const Turned& turned : oriented_triangles(film, v)) {
-    const auto& corners = film.corners(turned.triangle);
+    const auto& corners =
+        unfolding.empty() ? film.corners(turned.triangle) : unfolding.triangles()[turned.triangle.index];
     const int k = corner_of(film, turned.triangle, v);
+    const std::uint32_t own = corners[static_cast<std::size_t>(k)].index;
     const std::uint32_t next = corners[static_cast<std::size_t>((k + 1) % 3)].index;
     const std::uint32_t last = corners[static_cast<std::size_t>((k + 2) % 3)].index;
-    star.others.push_back(turned.reversed ? std::array{last, next} : std::array{next, last});
+    star.triangles.push_back(turned.reversed ? std::array{own, last, next} : std::array{own, next, last});
   }
   return star;
 }

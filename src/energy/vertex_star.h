@@ -6,6 +6,7 @@
 
 #include "film/film.h"
 #include "film/mat3.h"
+#include "film/unfolding.h"
 
 namespace lamella::energy {
 
@@ -16,13 +17,13 @@ using film::Vec3;
 // first of them as far as that can be.
 struct VertexStar {
   std::uint32_t vertex = 0;
-  std::vector<std::array<std::uint32_t, 2>> others;  // the second and third corner of each triangle
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // their corners: rows of the unfolding, if there is one
   // Orthonormal directions that are taken out of gradients at the vertex: mirrors that the film continues
   // behind.
   std::vector<Vec3> mirrors;
 };
 
-VertexStar star_of(const film::Film& film, film::Vertex v);
+VertexStar star_of(const film::Film& film, const film::Unfolding& unfolding, film::Vertex v);
 
 struct StarValue {
   double value = 0;

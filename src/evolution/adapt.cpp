@@ -27,12 +27,12 @@ constexpr double outliers = 0.02;
 constexpr double nearly = 0.9;
 
 Vec3 doubled_area(const Film& film, Triangle t) {
-  const auto& c = film.corners(t);
-  return energy::double_area_vector(film.position(c[0]), film.position(c[1]), film.position(c[2]));
+  const std::array<Vec3, 3> p = film.points(t);
+  return energy::double_area_vector(p[0], p[1], p[2]);
 }
 
 double edge_length(const Film& film, Edge e) {
-  return length(film.position(film.ends(e)[1]) - film.position(film.ends(e)[0]));
+  return length(film.vector(e));
 }
 
 // The angle by which a film turns at an edge.
@@ -55,11 +55,11 @@ double turn_of_rim(const scene::Scene& scene, Edge e) {
   int count = 0;
   for (int end = 0; end < 2; ++end) {
     const film::Vertex v = film.ends(e)[static_cast<std::size_t>(end)];
-    const Vec3 way = film.position(film.ends(e)[static_cast<std::size_t>(1 - end)]) - film.position(v);
+    const Vec3 way = film.vector(film::EdgeEnd(e, end).outward());
     film.for_each_end(v, [&](film::EdgeEnd other) {
       if (other.edge() == e || film.valence(other.edge()) == 2 || !follows_a_curve(scene, other.edge()))
         return;
-      const Vec3 next = film.position(v) - film.position(film.head(other.outward()));
+      const Vec3 next = -film.vector(other.outward());
       sum += std::atan2(length(cross(way, next)), dot(way, next));
       ++count;
     });

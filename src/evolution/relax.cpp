@@ -53,8 +53,8 @@ struct FacetSizes {
 FacetSizes facet_sizes(const film::Film& film) {
   FacetSizes sizes;
   for (std::uint32_t t = 0; t < film.triangle_rows(); ++t) {
-    const auto& c = film.corners(film::Triangle(t));
-    const double area = energy::triangle_area(film.position(c[0]), film.position(c[1]), film.position(c[2]));
+    const std::array<Vec3, 3> p = film.points(film::Triangle(t));
+    const double area = energy::triangle_area(p[0], p[1], p[2]);
     sizes.mean += area / film.triangle_rows();
     if (area >= sizes.smallest) continue;
     sizes.smallest = area;

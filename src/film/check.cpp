@@ -102,7 +102,8 @@ void check_triangles(const Film& film, Findings& findings) {
     const Triangle t(i);
     if (!film.alive(t)) continue;
     const auto& corner = film.corners(t);
-    if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) {
+    const bool repeated = corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
+    if (repeated && !film.periodic()) {
       findings.add("facet {} has a corner twice", film.number(t));
     }
     for (std::size_t k = 0; k < 3; ++k) {
@@ -116,13 +117,24 @@ void check_triangles(const Film& film, Findings& findings) {
   }
 }
 
+// Whoever walks around a facet comes back to where they began, not to an image of it.
+void check_wraps(const Film& film, Findings& findings) {
+  for (std::uint32_t i = 0; i < film.triangle_rows() && !findings.full(); ++i) {
+    const Triangle t(i);
+    if (!film.alive(t)) continue;
+    const Wrap around = film.corner_wraps(t)[2] + film.wrap(film.edges(t)[2]);
+    if (around != Wrap{}) findings.add("the wraps around facet {} do not cancel", film.number(t));
+  }
+}
+
 // Each live side must be met exactly once when the rings of all edges are walked.
 void check_edge_rings(const Film& film, Findings& findings) {
   std::vector<std::uint8_t> met(3 * std::size_t{film.triangle_rows()}, 0);
   for (std::uint32_t i = 0; i < film.edge_rows() && !findings.full(); ++i) {
     const Edge e(i);
     if (!film.alive(e)) continue;
-    if (film.ends(e)[0] == film.ends(e)[1]) findings.add("edge {} ends where it begins", film.number(e));
+    // In a periodic film an edge may lead to the image of its own end.
+    if (film.ends(e)[0] == film.ends(e)[1] && !film.periodic()) findings.add("edge {} ends where it begins", film.number(e));
     const Side first = film.first_side(e);
     if (!first.valid()) continue;
     Side s = first;
@@ -157,7 +169,7 @@ void check_side_order(const Film& film, Findings& findings) {
   for (std::uint32_t i = 0; i < film.edge_rows() && !findings.full(); ++i) {
     const Edge e(i);
     if (!film.alive(e) || film.valence(e) < 3) continue;
-    const Vec3 axis = unit(film.position(film.ends(e)[1]) - film.position(film.ends(e)[0]));
+    const Vec3 axis = unit(film.vector(e));
     double total = 0;
     film.for_each_side(e, [&](Side s) {
       total += turn(axis, apex_direction(film, s), apex_direction(film, film.next_around(s)));
@@ -180,6 +192,7 @@ std::vector<std::string> check(const Film& film, std::size_t most) {
   check_vertex_rings(film, findings);
   check_triangles(film, findings);
   check_edge_rings(film, findings);
+  if (film.periodic() && !findings.full()) check_wraps(film, findings);
   std::vector<std::string> found = findings.take();
   if (!found.empty()) return found;  // geometry is meaningless on broken connectivity
   Findings geometric(most);

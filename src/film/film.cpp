@@ -192,8 +192,11 @@ void Film::remove_side(Side s, Edge e) {
 }
 
 Vec3 apex_direction(const Film& film, Side s) {
-  const Edge e = film.edge_of(s).edge();
-  return film.position(film.opposite(s)) - film.position(film.ends(e)[0]);
+  const auto edge_at = [&](int corner) {
+    return film.edges(s.triangle())[static_cast<std::size_t>(corner)];
+  };
+  return film.edge_of(s).reversed() ? film.vector(edge_at(next_corner(s.corner())))
+                                    : -film.vector(edge_at(previous_corner(s.corner())));
 }
 
 void Film::sort_sides(Edge e) {
@@ -205,7 +208,7 @@ void Film::sort_sides(Edge e) {
   for_each_side(e, [&](Side s) { sides.push_back({s}); });
   if (sides.size() < 3) return;
 
-  const Vec3 axis = unit(position(ends(e)[1]) - position(ends(e)[0]));
+  const Vec3 axis = unit(vector(e));
   const Vec3 reference = apex_direction(*this, sides[0].side);
   const Vec3 across = reference - dot(reference, axis) * axis;
   const Vec3 up = cross(axis, across);

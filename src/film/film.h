@@ -16,11 +16,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "film/column.h"
 #include "film/ids.h"
+#include "film/lattice.h"
 #include "film/shared.h"
 #include "film/vec3.h"
 
@@ -147,10 +149,16 @@ class Film {
   std::span<const Vec3> positions() const { return *positions_; }
   const Vec3& position(Vertex v) const { return (*positions_)[v.index]; }
   // Along an edge from its tail to its head; the corners of a facet, unfolded from the first one. What looks
-  // at the shape of the film asks for these: two vertices of one edge need not lie near each other.
-  Vec3 vector(SignedEdge e) const { return position(head(e)) - position(tail(e)); }
+  // at the shape of the film asks for these: in a periodic film two vertices of one edge need not lie near
+  // each other.
+  Vec3 vector(SignedEdge e) const {
+    const Vec3 plain = position(head(e)) - position(tail(e));
+    return lattice_ ? plain + lattice_->shift(wrap(e)) : plain;
+  }
+  Vec3 vector(Edge e) const { return vector(SignedEdge(e, false)); }
   std::array<Vec3, 3> points(Triangle t) const {
     const std::array<Vertex, 3>& v = corners(t);
+    if (lattice_) return unfolded_points(t);
     return {position(v[0]), position(v[1]), position(v[2])};
   }
   std::span<Vec3> edit_positions() { return positions_.edit(); }
@@ -189,6 +197,22 @@ class Film {
   // Takes over another film's complex and positions; columns stay and grow or shrink to its rows, numbers
   // start again.
   void take_complex(Film&& other);
+
+  // --- periods (film/lattice.h)
+  bool periodic() const { return lattice_ != nullptr; }
+  const Lattice* lattice() const { return lattice_.get(); }  // null where the film is not periodic
+  // Edges without wraps get none.
+  void set_lattice(const Lattice& lattice);
+  Wrap wrap(SignedEdge e) const;  // of a film that is periodic
+  void set_wrap(Edge e, const Wrap& wrap);
+  // Wraps an edge so that its vector comes nearest to this one. Does nothing where there are no periods.
+  void aim(SignedEdge e, const Vec3& vector);
+  // The wraps of a facet's corners, as seen from the first one.
+  std::array<Wrap, 3> corner_wraps(Triangle t) const;
+  // Moves a vertex by whole periods; its edges' wraps follow, so that nothing changes its shape.
+  void move_by_periods(Vertex v, const Wrap& wrap);
+  // Moves every vertex into the cell that the periods span from the origin.
+  void gather_in_cell();
 
   // --- columns
   const Columns& columns(ElementKind kind) const { return columns_[static_cast<std::size_t>(kind)]; }
@@ -245,14 +269,19 @@ class Film {
   void remove_end(EdgeEnd end, Vertex v);
   void insert_side(Side s, Edge e);
   void remove_side(Side s, Edge e);
+  std::array<Vec3, 3> unfolded_points(Triangle t) const;
 
   Shared<Connectivity> connectivity_;
   Shared<std::vector<Vec3>> positions_;
   std::array<Shared<Numbers>, 3> numbers_;  // vertex, edge, facet
   std::array<Columns, 3> columns_;          // vertex, edge, facet
+  std::shared_ptr<const Lattice> lattice_;
 };
 
-// The direction from an edge to the opposite corner of a side, for ordering sides around it.
+// The column of edges that holds the wraps of a periodic film: three integers a row.
+inline constexpr const char* wrap_column = "wraps";
+
+// The vector from the tail of an edge to the opposite corner of a side, for ordering sides around it.
 Vec3 apex_direction(const Film& film, Side s);
 
 }  // namespace lamella::film

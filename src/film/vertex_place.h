@@ -15,7 +15,7 @@ enum class PlaceKind {
 
 struct VertexPlace {
   PlaceKind kind = PlaceKind::corner;
-  std::array<Vertex, 2> neighbours;  // along the line
+  std::array<SignedEdge, 2> edges;  // of the line, outward
 };
 
 inline VertexPlace place_of(const Film& film, Vertex v) {
@@ -29,7 +29,7 @@ inline VertexPlace place_of(const Film& film, Vertex v) {
       const Side second = film.next_around(first);
       if (second != first && film.next_around(second) == first) return;
     }
-    if (line_edges < 2) place.neighbours[static_cast<std::size_t>(line_edges)] = film.head(end.outward());
+    if (line_edges < 2) place.edges[static_cast<std::size_t>(line_edges)] = end.outward();
     ++line_edges;
   });
   if (any && line_edges == 0) place.kind = PlaceKind::inside;

@@ -249,7 +249,7 @@ Colour region_colour(film::Region region) {
 
 Drawing draw(const scene::Scene& scene, const Style& style, const Content& content) {
   if (content.explode > 0) {
-    const Exploded exploded = explode(scene, content);
+    const FilmCopy exploded = explode(scene, content);
     return draw(exploded.scene, style, exploded.content);
   }
   Drawing drawing;

@@ -26,15 +26,13 @@ class Exploder {
   Exploder(const scene::Scene& from, const Content& content)
       : film_(from.film), from_(from), content_(content) {}
 
-  Exploded run() {
+  FilmCopy run() {
     const std::vector<Vec3> from = body_centres(from_);
     const std::vector<Vec3> to = exploded_centres(from_, content_.explode);
     for (std::uint32_t b = 0; b < from.size(); ++b) copy_facets(Region{b}, to[b] - from[b]);
     copy_wires();
-    result_.scene.film.columns_follow_rows();
-    copy_columns();
-    result_.scene.film.sort_all_sides();
-    copy_content();
+    finish_copy(result_, film_, content_, rows_);
+    result_.content.explode = 0;
     return std::move(result_);
   }
 
@@ -54,7 +52,7 @@ class Exploder {
         edges[k] = film::SignedEdge(edge(e.edge(), shift), e.reversed());
       }
       result_.scene.film.add_triangle(edges, {body, body});
-      triangles_.push_back(t);
+      rows_.triangles.push_back(t);
     }
   }
 
@@ -69,7 +67,7 @@ class Exploder {
     std::uint32_t& row = vertex_of_[v.index];
     if (row == film::no_index) {
       row = result_.scene.film.add_vertex(film_.position(v) + shift).index;
-      vertices_.push_back(v.index);
+      rows_.vertices.push_back(v.index);
     }
     return Vertex(row);
   }
@@ -80,63 +78,23 @@ class Exploder {
       const auto& [tail, head] = film_.ends(e);
       const Vertex from = vertex(tail, shift);
       row = result_.scene.film.add_edge(from, vertex(head, shift)).index;
-      edges_.push_back(e.index);
+      rows_.edges.push_back(e.index);
     }
     return Edge(row);
-  }
-
-  void copy_columns() {
-    copy_column(ElementKind::facet, "color", triangles_);
-    copy_column(ElementKind::facet, "backcolor", triangles_);
-    copy_column(ElementKind::facet, "nodisplay", triangles_);
-    copy_column(ElementKind::edge, "color", edges_);
-    copy_column(ElementKind::edge, "fixed", edges_);
-    copy_column(ElementKind::vertex, "fixed", vertices_);
-  }
-
-  void copy_column(ElementKind kind, std::string_view name, const std::vector<std::uint32_t>& rows) {
-    const film::Column* const from = film_.columns(kind).find(name);
-    if (from == nullptr) return;
-    film::Column column = *from;
-    column.resize(0);
-    film::Column& to = result_.scene.film.columns(kind).add(std::move(column));
-    for (std::uint32_t row = 0; row < rows.size(); ++row) to.copy_row_of(*from, rows[row], row);
-  }
-
-  template <class T>
-  static std::vector<T> picked(const std::vector<T>& values, const std::vector<std::uint32_t>& rows) {
-    std::vector<T> result;
-    if (values.empty()) return result;
-    result.reserve(rows.size());
-    for (const std::uint32_t row : rows) result.push_back(values[row]);
-    return result;
-  }
-
-  void copy_content() {
-    result_.content = content_;
-    result_.content.explode = 0;
-    result_.content.facets = picked(content_.facets, triangles_);
-    result_.content.thickness = picked(content_.thickness, vertices_);
-    if (content_.field) {
-      const bool of_facets = content_.field->of == ElementKind::facet;
-      result_.content.field->values = picked(content_.field->values, of_facets ? triangles_ : vertices_);
-    }
   }
 
   const Film& film_;
   const scene::Scene& from_;
   const Content& content_;
-  Exploded result_;
+  FilmCopy result_;
+  CopiedRows rows_;
   std::vector<std::uint32_t> vertex_of_;  // in the copy being made
   std::vector<std::uint32_t> edge_of_;
-  std::vector<std::uint32_t> vertices_;  // of the original, one a row of the result
-  std::vector<std::uint32_t> edges_;
-  std::vector<std::uint32_t> triangles_;
 };
 
 }  // namespace
 
-Exploded explode(const scene::Scene& scene, const Content& content) {
+FilmCopy explode(const scene::Scene& scene, const Content& content) {
   return Exploder(scene, content).run();
 }
 

@@ -8,6 +8,7 @@
 
 #include "picture/drawing.h"
 #include "picture/explode.h"
+#include "picture/unwrap.h"
 #include "picture/light.h"
 #include "picture/line_drawing.h"
 #include "picture/page.h"
@@ -88,6 +89,17 @@ Paper paper(const scene::Scene& scene, const PictureOptions& options) {
   return paper;
 }
 
+// What `make` gives for the film in which every bubble of a periodic one is whole.
+template <class Make>
+auto unwrapped(const scene::Scene& scene, const PictureOptions& options, Make&& make) {
+  FilmCopy copy = unwrap(scene, options.content);
+  copy.scene.name = scene.name;
+  copy.scene.time = scene.time;
+  PictureOptions plain = options;
+  plain.content = std::move(copy.content);
+  return make(copy.scene, plain);
+}
+
 std::string lower_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -107,6 +119,7 @@ FileKind file_kind(const std::string& path) {
 }
 
 Image render(const scene::Scene& scene, const PictureOptions& options) {
+  if (scene.film.periodic()) return unwrapped(scene, options, render);
   if (options.style.line_drawing) return paper_image(paper(scene, options));
   const Prepared prepared = prepare(scene, options);
   Image image(options.width, options.height);
@@ -116,6 +129,11 @@ Image render(const scene::Scene& scene, const PictureOptions& options) {
 }
 
 std::string encode_picture(const scene::Scene& scene, FileKind kind, const PictureOptions& options) {
+  if (scene.film.periodic()) {
+    return unwrapped(scene, options, [&](const scene::Scene& plain, const PictureOptions& plain_options) {
+      return encode_picture(plain, kind, plain_options);
+    });
+  }
   if (kind == FileKind::png) return encode_png(render(scene, options));
   if (kind == FileKind::html) {
     const Prepared prepared = prepare(scene, options);

@@ -88,8 +88,7 @@ void set_velocity(const Source& source, const Element& v, int axis, double value
 // --- edges
 
 Vec3 edge_vector(const Source& source, const Element& e) {
-  const auto& ends = source.scene.film.ends(Edge(e.row));
-  return (source.scene.film.position(ends[1]) - source.scene.film.position(ends[0])) * sign(e);
+  return source.scene.film.vector(Edge(e.row)) * sign(e);
 }
 
 template <int axis>
@@ -106,9 +105,8 @@ double edge_length(const Source& source, const Element& e, int) {
 // Half the cross product of two edges: the normal, as long as the facet is large.
 Vec3 area_vector(const Source& source, const Element& f) {
   const film::Film& film = source.scene.film;
-  const auto& corners = film.corners(Triangle(f.row));
-  const Vec3 a = film.position(corners[0]);
-  return film::cross(film.position(corners[1]) - a, film.position(corners[2]) - a) * (0.5 * sign(f));
+  const std::array<Vec3, 3> p = film.points(Triangle(f.row));
+  return film::cross(p[1] - p[0], p[2] - p[0]) * (0.5 * sign(f));
 }
 
 template <int axis>

@@ -59,7 +59,7 @@ class Lister {
   std::string edge(Edge e) const {
     const auto& ends = film().ends(e);
     const std::uint32_t number = film().number(e);
-    const double length = film::length(film().position(ends[1]) - film().position(ends[0]));
+    const double length = film::length(film().vector(e));
     return fmt::format("{:3}    {:4} {:4}{}  /*length {:.6g}*/\n", number, film().number(ends[0]),
                        film().number(ends[1]), attributes(e.index, number), length);
   }
@@ -69,10 +69,8 @@ class Lister {
     for (const film::SignedEdge e : film().edges(t)) {
       result += fmt::format(" {}{}", e.reversed() ? "-" : "", film().number(e.edge()));
     }
-    const auto& corners = film().corners(t);
-    const film::Vec3 a = film().position(corners[0]);
-    const double area =
-        film::length(film::cross(film().position(corners[1]) - a, film().position(corners[2]) - a)) / 2;
+    const std::array<film::Vec3, 3> p = film().points(t);
+    const double area = film::length(film::cross(p[1] - p[0], p[2] - p[0])) / 2;
     return result + fmt::format("{}  /*area {:.6g}*/\n", attributes(t.index, film().number(t)), area);
   }
 

@@ -8,6 +8,9 @@ namespace lamella::solve {
 namespace {
 
 constexpr int most_halvings = 40;
+constexpr int most_growths = 20;
+constexpr double growth = 4;
+constexpr double forgotten = 1e-3;
 
 }  // namespace
 
@@ -67,7 +70,8 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
     place(x, scale);
     return finish(x, scale, squared, start);
   }
-  if (!(scale > 0)) scale = first_scale(problem_);
+  // A scale far below what the film stands is left from an equilibrium, where rounding decides.
+  if (!(scale > forgotten * first_scale(problem_))) scale = first_scale(problem_);
   scale = std::min(scale, limit);
   bool found = squared != 0 && search(x, start, squared, scale, limit);
   if (!found && !steepest && squared != 0) {
@@ -98,16 +102,22 @@ bool Descent::search(std::span<Vec3> x, double start, double squared, double& sc
   }
   if (!(best < start)) return false;
 
-  // The parabola through the merit and slope at 0 and the merit here.
-  const double bend = best - start + squared * scale;
-  const double optimum = bend > 0 ? 0.5 * squared * scale * scale / bend : 4 * scale;
-  const double refined = std::min({optimum, 4 * scale, limit});
-  if (std::abs(refined - scale) < 0.02 * scale) return true;
-  place(x, refined);
-  if (problem_.merit(x) < best) {
+  for (int growths = 0; growths < most_growths; ++growths) {
+    // The parabola through the merit and slope at 0 and the merit here.
+    const double bend = best - start + squared * scale;
+    const double optimum = bend > 0 ? 0.5 * squared * scale * scale / bend : HUGE_VAL;
+    const bool farther = optimum > growth * scale && growth * scale < limit;
+    const double refined = std::min({optimum, growth * scale, limit});
+    if (std::abs(refined - scale) < 0.02 * scale) return true;
+    place(x, refined);
+    const double merit = problem_.merit(x);
+    if (!(merit < best)) {
+      place(x, scale);
+      return true;
+    }
     scale = refined;
-  } else {
-    place(x, scale);
+    best = merit;
+    if (!farther) return true;
   }
   return true;
 }

@@ -23,7 +23,10 @@ Freedom::Freedom(const film::Film& film, MotionKind kind) : film_(film) {
     if (place.kind == film::PlaceKind::inside && !held) kind_[v] = Kind::along;
     if (place.kind != film::PlaceKind::line) continue;
     kind_[v] = Kind::square;
-    lines_.push_back({v, place.neighbours[0].index, place.neighbours[1].index});
+    const auto [before, after] = place.edges;
+    Line line{v, film.head(before).index, film.head(after).index, {}};
+    if (film.periodic()) line.shift = film.lattice()->shift(film.wrap(after) - film.wrap(before));
+    lines_.push_back(line);
   }
 }
 
@@ -31,7 +34,7 @@ void Freedom::renew(std::span<const Vec3> x) {
   if (kind_.empty()) return;
   direction_ = film::area_vectors(film_, x);
   for (Vec3& d : direction_) d = unit(d);
-  for (const Line& line : lines_) direction_[line.vertex] = unit(x[line.after] - x[line.before]);
+  for (const Line& line : lines_) direction_[line.vertex] = unit(x[line.after] - x[line.before] + line.shift);
 }
 
 std::optional<Vec3> Freedom::along_line(std::size_t vertex) const {

@@ -41,6 +41,7 @@ class Freedom {
     std::uint32_t vertex = 0;
     std::uint32_t before = 0;
     std::uint32_t after = 0;
+    Vec3 shift;  // of `after` against `before` in a periodic film
   };
   film::Film film_;
   std::vector<Kind> kind_;

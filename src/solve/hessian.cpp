@@ -110,7 +110,7 @@ void ConstrainedHessian::build_pattern(const Problem& problem, const film::Film&
   });
   for (std::size_t i = 0; i < constraints_; ++i) put(unknowns_ + i, unknowns_ + i);
 
-  const auto triangles = problem.energy().input().triangles;
+  const auto& triangles = film.connectivity().triangle_vertices;
   triangle_entry_.resize(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k)
@@ -132,9 +132,11 @@ void ConstrainedHessian::assemble(const Problem& problem, const Basis& basis, st
   std::fill(matrix_.value.begin(), matrix_.value.end(), 0.0);
   shift_ = 0;
   const std::vector<double> pressure = pressures_of_regions(problem);
-  add_quantities(problem.energy(), basis, x);
-  add_films(problem.energy(), basis, x, pressure);
-  add_other_terms(problem.energy(), basis, x, pressure);
+  const film::Unfolding& unfolding = problem.energy().unfolding();
+  const std::span<const Vec3> rows = unfolding.empty() ? x : unfolding.extend(x, unfolded_);
+  add_quantities(problem.energy(), basis, rows);
+  add_films(problem.energy(), basis, rows, pressure);
+  add_other_terms(problem.energy(), basis, rows, pressure);
   add_fields(problem.energy(), basis, x, pressure);
   add_constraints(problem, basis, x);
   add_borders(problem, basis);
@@ -155,17 +157,24 @@ void ConstrainedHessian::add_quantities(const energy::FilmEnergy& energy, const 
                                         std::span<const Vec3> x) {
   class Sink : public energy::HessianSink {
    public:
-    Sink(ConstrainedHessian& hessian, const Basis& basis) : hessian_(hessian), basis_(basis) {}
-    void add(std::uint32_t u, std::uint32_t v, const Mat3& block) override {
-      if (u == v) return hessian_.add_own(basis_, u, block);
+    Sink(ConstrainedHessian& hessian, const film::Unfolding& unfolding, const Basis& basis)
+        : hessian_(hessian), unfolding_(unfolding), basis_(basis) {}
+    void add(std::uint32_t first, std::uint32_t second, const Mat3& block) override {
+      const std::uint32_t u = row(first);
+      const std::uint32_t v = row(second);
+      if (first == second) return hessian_.add_own(basis_, u, block);
       hessian_.add_mixed(basis_, u, v, hessian_.entry_of(u, v), block);
     }
 
    private:
+    std::uint32_t row(std::uint32_t of) const {
+      return unfolding_.empty() ? of : unfolding_.vertex_of(film::Vertex(of)).index;
+    }
     ConstrainedHessian& hessian_;
+    const film::Unfolding& unfolding_;
     const Basis& basis_;
   };
-  Sink sink(*this, basis);
+  Sink sink(*this, energy.unfolding(), basis);
   energy.add_quantity_hessians(x, sink);
 }
 
@@ -174,9 +183,11 @@ void ConstrainedHessian::add_quantities(const energy::FilmEnergy& energy, const 
 void ConstrainedHessian::add_films(const energy::FilmEnergy& energy, const Basis& basis,
                                    std::span<const Vec3> x, std::span<const double> pressure) {
   const energy::SweepInput& input = energy.input();
+  const bool periodic = !energy.unfolding().empty();
   for (std::size_t t = 0; t < input.triangles.size(); ++t) {
-    const auto& v = input.triangles[t];
-    const std::array<Vec3, 3> p{x[v[0].index], x[v[1].index], x[v[2].index]};
+    const auto& corner = input.triangles[t];
+    const std::array<Vec3, 3> p{x[corner[0].index], x[corner[1].index], x[corner[2].index]};
+    const auto& v = periodic ? energy.vertices(t) : corner;
     const double tension = input.tension.empty() ? 1.0 : input.tension[t];
     const double push =
         (pressure[input.regions[t].behind.index] - pressure[input.regions[t].front.index]) / 6;
@@ -197,11 +208,16 @@ void ConstrainedHessian::add_films(const energy::FilmEnergy& energy, const Basis
           value(column(first + k) + static_cast<int>(l - k)) += along * dot(n, basis.direction(first + l));
       }
       const int entry = triangle_entry_[t][i];
-      if (entry < 0) continue;
+      if (entry < 0) {
+        if (v[i] == v[j]) add_closed_edge(basis, v[i].index, s * dot(e[i], e[j]), n);
+        continue;
+      }
       const std::uint32_t other = basis.first(v[j].index);
       const std::uint32_t others = basis.first(v[j].index + 1) - other;
       const double mixed = s * dot(e[i], e[j]);
-      const Vec3 w = push * (p[next_of(j)] - input.origin) - (0.5 * tension) * n;
+      // Seen from the edge itself, or neighbours that lie in different cells would not agree.
+      const Vec3 origin = periodic ? 0.5 * (p[i] + p[j]) : input.origin;
+      const Vec3 w = push * (p[next_of(j)] - origin) - (0.5 * tension) * n;
       for (std::uint32_t k = 0; k < own; ++k) {
         const Vec3& di = basis.direction(first + k);
         const double along = mixed * dot(n, di);
@@ -219,6 +235,17 @@ void ConstrainedHessian::add_films(const energy::FilmEnergy& energy, const Basis
   }
 }
 
+// The mixed block of an edge from a vertex to its own image, with its transpose: what is skew in it cancels.
+void ConstrainedHessian::add_closed_edge(const Basis& basis, std::uint32_t v, double mixed, const Vec3& n) {
+  for (std::uint32_t k = basis.first(v); k < basis.first(v + 1); ++k) {
+    const Vec3& dk = basis.direction(k);
+    for (std::uint32_t l = k; l < basis.first(v + 1); ++l) {
+      const Vec3& dl = basis.direction(l);
+      value(column(k) + static_cast<int>(l - k)) += 2 * mixed * dot(n, dk) * dot(n, dl);
+    }
+  }
+}
+
 void ConstrainedHessian::add_own(const Basis& basis, std::uint32_t v, const Mat3& block) {
   for (std::uint32_t k = basis.first(v); k < basis.first(v + 1); ++k) {
     const Vec3 image = block * basis.direction(k);
@@ -230,6 +257,7 @@ void ConstrainedHessian::add_own(const Basis& basis, std::uint32_t v, const Mat3
 // block = d2/d(u)d(v)
 void ConstrainedHessian::add_mixed(const Basis& basis, std::uint32_t u, std::uint32_t v, int entry,
                                    const Mat3& block) {
+  if (u == v) return add_own(basis, u, block + transposed(block));
   if (entry < 0) return;
   if (v < u) return add_mixed(basis, v, u, entry, transposed(block));
   const std::uint32_t first = basis.first(u);
@@ -245,9 +273,10 @@ void ConstrainedHessian::add_other_terms(const energy::FilmEnergy& energy, const
                                          std::span<const Vec3> x, std::span<const double> pressure) {
   const energy::SweepInput& input = energy.input();
   for (const energy::HeavyFacet& facet : energy.heavy()) {
-    const auto& v = input.triangles[facet.triangle];
+    const auto& corner = input.triangles[facet.triangle];
     const energy::TriangleHessian h =
-        energy::height_integral_hessian(x[v[0].index], x[v[1].index], x[v[2].index]);
+        energy::height_integral_hessian(x[corner[0].index], x[corner[1].index], x[corner[2].index]);
+    const auto& v = energy.vertices(facet.triangle);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t j = next_of(k);
       add_own(basis, v[k].index, facet.weight * h[k][k]);
@@ -256,9 +285,11 @@ void ConstrainedHessian::add_other_terms(const energy::FilmEnergy& energy, const
   }
   for (const energy::FilmEnergy::TenseEdge& edge : energy.tense_edges()) {
     const Mat3 h = edge.tension * energy::edge_length_hessian(x[edge.tail.index], x[edge.head.index]);
-    add_own(basis, edge.tail.index, h);
-    add_own(basis, edge.head.index, h);
-    add_mixed(basis, edge.tail.index, edge.head.index, entry_of(edge.tail.index, edge.head.index), -1 * h);
+    const std::uint32_t tail = energy.vertex_of(edge.tail).index;
+    const std::uint32_t head = energy.vertex_of(edge.head).index;
+    add_own(basis, tail, h);
+    add_own(basis, head, h);
+    add_mixed(basis, tail, head, entry_of(tail, head), -1 * h);
   }
   for (const energy::RimEdge& rim : energy.rims()) {
     const double factor = -pressure[rim.region.index] * rim.times;

@@ -60,6 +60,7 @@ class ConstrainedHessian {
   void add_constraints(const Problem& problem, const Basis& basis, std::span<const Vec3> x);
   void add_borders(const Problem& problem, const Basis& basis);
   void add_own(const Basis& basis, std::uint32_t v, const film::Mat3& block);
+  void add_closed_edge(const Basis& basis, std::uint32_t v, double mixed, const Vec3& n);
   void add_mixed(const Basis& basis, std::uint32_t u, std::uint32_t v, int entry, const film::Mat3& block);
   double& value(int entry) { return matrix_.value[static_cast<std::size_t>(entry)]; }
   int column(std::size_t unknown) const { return matrix_.column_start[unknown]; }
@@ -76,6 +77,7 @@ class ConstrainedHessian {
   std::vector<int> border_entry_;                   // in the order of VolumeGradient::for_each
   std::vector<double> mass_;
   double shift_ = 0;
+  std::vector<Vec3> unfolded_;  // positions in a periodic film, with those of images
 };
 
 }  // namespace lamella::solve

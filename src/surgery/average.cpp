@@ -21,12 +21,13 @@ namespace {
 constexpr int most_halvings = 4;
 constexpr double sliver = 0.1;  // double area over the square of the longest edge
 
-// Toward the mean of the two neighbouring segments' middles, weighted by their lengths, along the line.
-Vec3 move_along_line(const Vec3& at, const Vec3& before, const Vec3& after) {
-  const double l1 = length(before - at);
-  const double l2 = length(after - at);
+// Toward the mean of the two neighbouring segments' middles, weighted by their lengths, along the line. The
+// segments lead outward.
+Vec3 move_along_line(const Vec3& before, const Vec3& after) {
+  const double l1 = length(before);
+  const double l2 = length(after);
   if (l1 + l2 == 0) return {};
-  const Vec3 wanted = (0.5 * l1 * (before - at) + 0.5 * l2 * (after - at)) / (l1 + l2);
+  const Vec3 wanted = (0.5 * l1 * before + 0.5 * l2 * after) / (l1 + l2);
   const Vec3 tangent = unit(after - before);
   return dot(wanted, tangent) * tangent;
 }
@@ -39,16 +40,15 @@ struct Star {
 
 std::vector<Star> stars(const Film& film) {
   std::vector<Star> result(film.vertex_rows());
-  for (const auto& c : film.connectivity().triangle_vertices) {
+  for (std::uint32_t t = 0; t < film.triangle_rows(); ++t) {
+    const auto& c = film.corners(Triangle(t));
     if (!c[0].valid()) continue;
-    const Vec3& p0 = film.position(c[0]);
-    const Vec3& p1 = film.position(c[1]);
-    const Vec3& p2 = film.position(c[2]);
-    const double area = energy::triangle_area(p0, p1, p2);
-    const Vec3 centroid = (p0 + p1 + p2) / 3;
-    for (const Vertex v : c) {
-      result[v.index].area += area;
-      result[v.index].moment += area * (centroid - film.position(v));
+    const std::array<Vec3, 3> p = film.points(Triangle(t));
+    const double area = energy::triangle_area(p[0], p[1], p[2]);
+    const Vec3 centroid = (p[0] + p[1] + p[2]) / 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      result[c[k].index].area += area;
+      result[c[k].index].moment += area * (centroid - p[k]);
     }
   }
   return result;
@@ -68,8 +68,7 @@ std::vector<Vec3> wanted_moves(const Film& film) {
       const Vec3 n = unit(normals[i]);
       moves[i] = wanted - dot(wanted, n) * n;
     } else if (place.kind == film::PlaceKind::line) {
-      moves[i] = move_along_line(film.position(v), film.position(place.neighbours[0]),
-                                 film.position(place.neighbours[1]));
+      moves[i] = move_along_line(film.vector(place.edges[0]), film.vector(place.edges[1]));
     }
   }
   return moves;
@@ -91,14 +90,12 @@ bool survives(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to) {
 bool tame(const Film& film, std::vector<Vec3>& moves, double factor) {
   std::vector<std::uint8_t> scaled(moves.size(), 0);
   bool none = true;
-  for (const auto& c : film.connectivity().triangle_vertices) {
+  for (std::uint32_t t = 0; t < film.triangle_rows(); ++t) {
+    const auto& c = film.corners(Triangle(t));
     if (!c[0].valid()) continue;
-    std::array<Vec3, 3> from;
+    const std::array<Vec3, 3> from = film.points(Triangle(t));
     std::array<Vec3, 3> to;
-    for (std::size_t k = 0; k < 3; ++k) {
-      from[k] = film.position(c[k]);
-      to[k] = from[k] + moves[c[k].index];
-    }
+    for (std::size_t k = 0; k < 3; ++k) to[k] = from[k] + moves[c[k].index];
     if (survives(from, to)) continue;
     none = false;
     for (const Vertex v : c) scaled[v.index] = 1;

@@ -66,6 +66,7 @@ class Collapser {
   Collapse run() {
     if (is_fixed(film_, ElementKind::edge, edge_.index) || !choose_end()) return Collapse::held;
     if (kept_ == gone_) return Collapse::blocked;
+    bring_together();
     find_flaps();
     if (!is_allowed()) return Collapse::blocked;
     collapse();
@@ -74,6 +75,7 @@ class Collapser {
 
  private:
   bool choose_end();
+  void bring_together();
   void find_flaps();
   bool is_allowed();
   bool neighbours_allow() const;
@@ -103,6 +105,18 @@ bool Collapser::choose_end() {
   gone_ = head_moves ? head : tail;
   halfway_ = tail_moves && head_moves;
   return true;
+}
+
+// In a periodic film, so that the ends and the corners opposite to the edge lie in one cell and edges that
+// become one agree.
+void Collapser::bring_together() {
+  if (!film_.periodic()) return;
+  const SignedEdge edge(edge_, film_.ends(edge_)[0] != kept_);
+  film_.move_by_periods(gone_, film_.wrap(edge));
+  film_.for_each_side(edge_, [&](Side s) {
+    const SignedEdge to_apex(film_.edges(s.triangle())[static_cast<std::size_t>(film::next_corner(s.corner()))]);
+    film_.move_by_periods(film_.opposite(s), film_.wrap(to_apex));
+  });
 }
 
 void Collapser::find_flaps() {
@@ -311,9 +325,7 @@ Collapse collapse_facet(Scene& scene, Triangle facet) {
   const Film& film = scene.film;
   std::array<Edge, 3> sides;
   for (std::size_t k = 0; k < 3; ++k) sides[k] = film.edges(facet)[k].edge();
-  const auto length_of = [&](Edge e) {
-    return length(film.position(film.ends(e)[1]) - film.position(film.ends(e)[0]));
-  };
+  const auto length_of = [&](Edge e) { return length(film.vector(e)); };
   std::stable_sort(sides.begin(), sides.end(), [&](Edge a, Edge b) { return length_of(a) < length_of(b); });
   Collapse outcome = Collapse::held;
   for (const Edge side : sides) {

@@ -7,11 +7,9 @@ namespace lamella::surgery {
 // With edge a and the other sides b, c on one side and d, e on the other, the cosines of the opposite angles
 // are (b^2+c^2-a^2)/(2bc) and (d^2+e^2-a^2)/(2de); their sum is negative where the angles exceed pi together.
 bool is_worse_diagonal(const film::Film& film, const Diagonal& d) {
-  const auto direction = [&](film::Vertex from, film::Vertex to) {
-    return unit(film.position(to) - film.position(from));
-  };
-  const double cosine_r = dot(direction(d.r, d.p), direction(d.r, d.q));
-  const double cosine_w = dot(direction(d.w, d.p), direction(d.w, d.q));
+  const auto [p, q, r, w] = places(film, d);
+  const double cosine_r = dot(unit(p - r), unit(q - r));
+  const double cosine_w = dot(unit(p - w), unit(q - w));
   return cosine_r + cosine_w < -1e-10;
 }
 

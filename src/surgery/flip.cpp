@@ -56,14 +56,21 @@ std::optional<Diagonal> flippable(const Film& film, Edge edge) {
   return d;
 }
 
+std::array<Vec3, 4> places(const Film& film, const Diagonal& d) {
+  if (!film.periodic()) return {film.position(d.p), film.position(d.q), film.position(d.r), film.position(d.w)};
+  const Vec3 tail = film.position(film.ends(d.edge)[0]);
+  const Vec3 head = tail + film.vector(d.edge);
+  const bool along = !film.edge_of(d.first).reversed();
+  return {along ? tail : head, along ? head : tail, tail + film::apex_direction(film, d.first),
+          tail + film::apex_direction(film, d.second)};
+}
+
 bool flip_is_flat(const Film& film, const Diagonal& d) {
-  const auto at = [&](Vertex v) { return film.position(v); };
-  const auto area = [&](Vertex a, Vertex b, Vertex c) {
-    return energy::double_area_vector(at(a), at(b), at(c));
-  };
-  const Vec3 mean = unit(area(d.p, d.q, d.r) + area(d.q, d.p, d.w));
-  const Vec3 at_p = unit(area(d.p, d.w, d.r));
-  const Vec3 at_q = unit(area(d.w, d.q, d.r));
+  const auto [p, q, r, w] = places(film, d);
+  const auto area = energy::double_area_vector;
+  const Vec3 mean = unit(area(p, q, r) + area(q, p, w));
+  const Vec3 at_p = unit(area(p, w, r));
+  const Vec3 at_q = unit(area(w, q, r));
   return dot(at_p, mean) > 0.5 && dot(at_q, mean) > 0.5;
 }
 
@@ -91,8 +98,10 @@ void flip(Film& film, const Diagonal& d) {
     film.for_each_side(outer[i].edge.edge(),
                        [&](Side s) { rings[i].push_back(s == outer[i].old ? outer[i].made : s); });
   }
+  const auto at = places(film, d);
   film.reattach(EdgeEnd(d.edge, 0), d.w);
   film.reattach(EdgeEnd(d.edge, 1), d.r);
+  film.aim(SignedEdge(d.edge, false), at[2] - at[3]);
   film.rewrite(at_p, {outer[0].edge, SignedEdge(d.edge, false), outer[3].edge});
   film.rewrite(at_q, {outer[1].edge, outer[2].edge, SignedEdge(d.edge, true)});
   if (!opposed) film.set_regions(at_q, film.regions(at_p));

@@ -1,6 +1,7 @@
 // The diagonal of two neighbouring facets of one film exchanged for the other.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "film/film.h"
@@ -26,6 +27,9 @@ std::optional<Diagonal> flippable(const film::Film& film, film::Edge edge);
 // Makes r-w the diagonal. The edge and both facets keep their ids; the second facet turns like the first if
 // it did not. Surface tension, colours and other columns stay with the ids.
 void flip(film::Film& film, const Diagonal& diagonal);
+
+// Where p, q, r and w lie, in one piece.
+std::array<film::Vec3, 4> places(const film::Film& film, const Diagonal& diagonal);
 
 // True if the flip leaves both facets with area and without a fold: each new normal stays within 60 degrees
 // of the mean of the old two.

@@ -52,7 +52,8 @@ class Refiner {
   void write();
   SignedEdge tail_half(SignedEdge e) const;
   SignedEdge head_half(SignedEdge e) const;
-  Edge add_inner(Vertex from, Vertex to, Triangle inside);
+  Edge add_inner(Vertex from, Vertex to, Triangle inside, const Vec3& along);
+  void wrap_edges();
   Vertex middle(SignedEdge e) const { return halved_[e.edge().index].middle; }
 
   const Film old_;  // shares the arrays until the film is changed
@@ -62,6 +63,7 @@ class Refiner {
   std::vector<std::array<Vertex, 2>> edge_ends_;
   std::vector<Vec3> positions_;
   std::vector<Triangle> inside_;  // of the inner edges, in their order
+  std::vector<Vec3> along_;       // and their vectors, in a periodic film
   std::vector<Part> kept_;        // the part that keeps each facet's number
   std::vector<Part> added_;
   RefineCounts counts_;
@@ -76,9 +78,10 @@ SignedEdge Refiner::head_half(SignedEdge e) const {
   return e.reversed() ? e : SignedEdge(halved_[e.edge().index].head_half, false);
 }
 
-Edge Refiner::add_inner(Vertex from, Vertex to, Triangle inside) {
+Edge Refiner::add_inner(Vertex from, Vertex to, Triangle inside, const Vec3& along) {
   edge_ends_.push_back({from, to});
   inside_.push_back(inside);
+  if (old_.periodic()) along_.push_back(along);
   return Edge(edge_ends_.size() - 1);
 }
 
@@ -95,7 +98,8 @@ void Refiner::halve_edges() {
     if (!halve_.empty() && halve_[i] == 0) continue;
     halved_[i].middle = Vertex(positions_.size());
     halved_[i].head_half = Edge(edges + counts_.edges);
-    positions_.push_back(0.5 * (old_.position(ends[0]) + old_.position(ends[1])));
+    positions_.push_back(old_.periodic() ? old_.position(ends[0]) + 0.5 * old_.vector(Edge(i))
+                                         : 0.5 * (old_.position(ends[0]) + old_.position(ends[1])));
     edge_ends_[i][1] = halved_[i].middle;
     ++counts_.edges;
   }
@@ -138,11 +142,12 @@ void Refiner::cut_facets() {
 
 void Refiner::cut_in_four(Triangle t) {
   const auto& e = old_.edges(t);
+  const std::array<Vec3, 3> p = old_.points(t);
   // inner[k] cuts off corner k: from the middle of side k to the middle of side k-1 (for k = 0), else from
   // the middle of the side that ends there to the middle of the one before; the directions are Evolver's.
-  const Edge cut0 = add_inner(middle(e[0]), middle(e[2]), t);
-  const Edge cut1 = add_inner(middle(e[1]), middle(e[0]), t);
-  const Edge cut2 = add_inner(middle(e[2]), middle(e[1]), t);
+  const Edge cut0 = add_inner(middle(e[0]), middle(e[2]), t, 0.5 * (p[2] - p[1]));
+  const Edge cut1 = add_inner(middle(e[1]), middle(e[0]), t, 0.5 * (p[0] - p[2]));
+  const Edge cut2 = add_inner(middle(e[2]), middle(e[1]), t, 0.5 * (p[1] - p[0]));
   kept_.push_back({{SignedEdge(cut2, true), SignedEdge(cut0, true), SignedEdge(cut1, true)}, t});
   added_.push_back({{tail_half(e[0]), SignedEdge(cut0, false), head_half(e[2])}, t});
   added_.push_back({{head_half(e[0]), tail_half(e[1]), SignedEdge(cut1, false)}, t});
@@ -160,17 +165,20 @@ void Refiner::cut_in_three(Triangle t, int whole_side) {
   const Vertex n = middle(ca);
   const Vertex b = old_.tail(bc);
   const Vertex c = old_.head(bc);
-  const Edge mn = add_inner(m, n, t);
+  const std::array<Vec3, 3> points = old_.points(t);
+  const auto point = [&](int k) { return points[static_cast<std::size_t>(k % 3)]; };
+  const Vec3 at_b = point(whole_side);
+  const Vec3 at_c = point(whole_side + 1);
+  const Vec3 at_m = 0.5 * (point(whole_side + 2) + at_b);
+  const Vec3 at_n = 0.5 * (at_c + point(whole_side + 2));
+  const Edge mn = add_inner(m, n, t, at_n - at_m);
   kept_.push_back({{tail_half(ab), SignedEdge(mn, false), head_half(ca)}, t});
-  const auto distance = [&](Vertex p, Vertex q) {
-    return squared_length(positions_[p.index] - positions_[q.index]);
-  };
-  if (distance(m, c) <= distance(b, n)) {
-    const Edge mc = add_inner(m, c, t);
+  if (squared_length(at_m - at_c) <= squared_length(at_b - at_n)) {
+    const Edge mc = add_inner(m, c, t, at_c - at_m);
     added_.push_back({{head_half(ab), bc, SignedEdge(mc, true)}, t});
     added_.push_back({{SignedEdge(mc, false), tail_half(ca), SignedEdge(mn, true)}, t});
   } else {
-    const Edge bn = add_inner(b, n, t);
+    const Edge bn = add_inner(b, n, t, at_n - at_b);
     added_.push_back({{head_half(ab), SignedEdge(bn, false), SignedEdge(mn, true)}, t});
     added_.push_back({{bc, tail_half(ca), SignedEdge(bn, true)}, t});
   }
@@ -181,7 +189,10 @@ void Refiner::cut_in_two(Triangle t, int halved_side) {
   const SignedEdge ab = side(halved_side);
   const SignedEdge bc = side(halved_side + 1);
   const SignedEdge ca = side(halved_side + 2);
-  const Edge cut = add_inner(middle(ab), old_.head(bc), t);
+  const std::array<Vec3, 3> p = old_.points(t);
+  const auto point = [&](int k) { return p[static_cast<std::size_t>(k % 3)]; };
+  const Vec3 to_c = point(halved_side + 2) - 0.5 * (point(halved_side) + point(halved_side + 1));
+  const Edge cut = add_inner(middle(ab), old_.head(bc), t, to_c);
   kept_.push_back({{tail_half(ab), SignedEdge(cut, false), ca}, t});
   added_.push_back({{head_half(ab), bc, SignedEdge(cut, true)}, t});
 }
@@ -210,7 +221,20 @@ void Refiner::write() {
   for (std::uint32_t i = 0; i < added_.size(); ++i) {
     film_.inherit(Triangle(static_cast<std::uint32_t>(kept_.size()) + i), added_[i].whole);
   }
+  if (film_.periodic()) wrap_edges();
   film_.sort_all_sides();
+}
+
+void Refiner::wrap_edges() {
+  const std::uint32_t old_edges = old_.edge_rows();
+  for (std::uint32_t i = 0; i < old_edges; ++i) {
+    if (!halved_[i].done()) continue;
+    const Vec3 half = 0.5 * old_.vector(Edge(i));
+    film_.aim(SignedEdge(Edge(i), false), half);
+    film_.aim(SignedEdge(halved_[i].head_half, false), half);
+  }
+  for (std::uint32_t i = 0; i < along_.size(); ++i)
+    film_.aim(SignedEdge(Edge(old_edges + counts_.edges + i), false), along_[i]);
 }
 
 }  // namespace

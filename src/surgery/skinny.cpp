@@ -20,7 +20,7 @@ Edge longest_edge(const Film& film, Triangle t) {
   Edge longest;
   double most = -1;
   for (const film::SignedEdge& e : film.edges(t)) {
-    const double here = length(film.position(film.head(e)) - film.position(film.tail(e)));
+    const double here = length(film.vector(e));
     if (here <= most) continue;
     most = here;
     longest = e.edge();
@@ -29,8 +29,8 @@ Edge longest_edge(const Film& film, Triangle t) {
 }
 
 Vec3 area_vector(const Film& film, Triangle t) {
-  const auto& c = film.corners(t);
-  return energy::double_area_vector(film.position(c[0]), film.position(c[1]), film.position(c[2]));
+  const std::array<Vec3, 3> p = film.points(t);
+  return energy::double_area_vector(p[0], p[1], p[2]);
 }
 
 }  // namespace
@@ -40,8 +40,8 @@ std::uint32_t divide_skinny_facets(Film& film, double angle) {
   for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
     const Triangle t(i);
     if (!film.alive(t)) continue;
-    const auto& c = film.corners(t);
-    if (energy::smallest_angle(film.position(c[0]), film.position(c[1]), film.position(c[2])) < angle)
+    const std::array<Vec3, 3> p = film.points(t);
+    if (energy::smallest_angle(p[0], p[1], p[2]) < angle)
       longest.insert(longest_edge(film, t));
   }
   for (const Edge e : longest) split_edge(film, e);

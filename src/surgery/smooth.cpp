@@ -23,8 +23,8 @@ namespace {
 constexpr double step = 0.25;
 
 Vec3 double_area(const Film& film, Triangle t) {
-  const auto& c = film.corners(t);
-  return energy::double_area_vector(film.position(c[0]), film.position(c[1]), film.position(c[2]));
+  const std::array<Vec3, 3> p = film.points(t);
+  return energy::double_area_vector(p[0], p[1], p[2]);
 }
 
 bool is_held(const Film& film, Vertex v) {
@@ -63,7 +63,7 @@ std::vector<Neighbour> neighbours_of(const Film& film, Vertex v) {
   film.for_each_end(v, [&](EdgeEnd end) {
     const Vertex other = film.head(end.outward());
     if (held && !is_held_alike(film, v, other)) return;
-    Neighbour neighbour{film.position(other)};
+    Neighbour neighbour{film.periodic() ? film.position(v) + film.vector(end.outward()) : film.position(other)};
     film.for_each_side(end.edge(), [&](Side s) {
       ++neighbour.facets;
       neighbour.area += 0.5 * length(double_area(film, s.triangle()));

@@ -18,16 +18,20 @@ namespace {
 // Cuts the facet that has side `s` along the edge. Walked along that side its corners are p, q and the apex
 // r; the middle m of pq parts it into (p, m, r) and (m, q, r). The facet becomes the part at the edge's tail,
 // so that it keeps its side along the edge, which is now the tail half. Returns the other part's side along
-// the head half.
-Side cut_facet(Film& film, Side s, Vertex middle, Edge tail_half, Edge head_half) {
+// the head half. `from_tail` leads from the edge's tail to the middle.
+Side cut_facet(Film& film, Side s, Vertex middle, Edge tail_half, Edge head_half,
+               const film::Vec3& from_tail) {
   const Triangle t = s.triangle();
   const int k = s.corner();
   const int k1 = film::next_corner(k);
   const int k2 = film::previous_corner(k);
   const bool along = !film.edge_of(s).reversed();
 
+  const film::Vec3 to_apex = along ? -film.vector(film.edges(t)[static_cast<std::size_t>(k2)])
+                                   : film.vector(film.edges(t)[static_cast<std::size_t>(k1)]);
   const Edge inner = film.add_edge(middle, film.opposite(s));
   film.inherit(inner, t);
+  film.aim(SignedEdge(inner, false), to_apex - from_tail);
   std::array<SignedEdge, 3> at_p = film.edges(t);
   std::array<SignedEdge, 3> at_q = film.edges(t);
   at_p[static_cast<std::size_t>(k)] = along ? SignedEdge(tail_half, false) : SignedEdge(head_half, true);
@@ -52,6 +56,8 @@ Side cut_facet(Film& film, Side s, Vertex middle, Edge tail_half, Edge head_half
 Vertex split_edge(Film& film, Edge edge, const film::Vec3& point) {
   const Vertex tail = film.ends(edge)[0];
   const Vertex head = film.ends(edge)[1];
+  const film::Vec3 along = film.vector(edge);
+  const film::Vec3 from_tail = point - film.position(tail);
   std::vector<Side> sides;
   film.for_each_side(edge, [&](Side s) { sides.push_back(s); });
 
@@ -60,14 +66,16 @@ Vertex split_edge(Film& film, Edge edge, const film::Vec3& point) {
   film.reattach(EdgeEnd(edge, 1), middle);
   const Edge head_half = film.add_edge(middle, head);
   film.inherit(head_half, edge);
-  for (Side& s : sides) s = cut_facet(film, s, middle, edge, head_half);
+  film.aim(SignedEdge(edge, false), from_tail);
+  film.aim(SignedEdge(head_half, false), along - from_tail);
+  for (Side& s : sides) s = cut_facet(film, s, middle, edge, head_half, from_tail);
   film.set_ring(head_half, sides);
   return middle;
 }
 
 Vertex split_edge(Film& film, Edge edge) {
-  const auto& ends = film.ends(edge);
-  return split_edge(film, edge, 0.5 * (film.position(ends[0]) + film.position(ends[1])));
+  const film::Vec3& tail = film.position(film.ends(edge)[0]);
+  return split_edge(film, edge, tail + 0.5 * film.vector(edge));
 }
 
 }  // namespace lamella::surgery

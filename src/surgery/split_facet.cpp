@@ -14,14 +14,15 @@ using film::Vertex;
 Vertex split_facet(Film& film, Triangle facet) {
   const std::array<Vertex, 3> corner = film.corners(facet);
   const std::array<SignedEdge, 3> edge = film.edges(facet);
-  film::Vec3 sum;
-  for (const Vertex v : corner) sum += film.position(v);
-  const Vertex centre = film.add_vertex(sum / 3);
+  const std::array<film::Vec3, 3> points = film.points(facet);
+  const film::Vec3 middle = (points[0] + points[1] + points[2]) / 3;
+  const Vertex centre = film.add_vertex(middle);
   film.inherit(centre, facet);
   std::array<Edge, 3> spoke;
   for (std::size_t k = 0; k < 3; ++k) {
     spoke[k] = film.add_edge(corner[k], centre);
     film.inherit(spoke[k], facet);
+    film.aim(SignedEdge(spoke[k], false), middle - points[k]);
   }
   std::array<Triangle, 3> part{Triangle{}, Triangle{}, facet};
   for (std::size_t k = 0; k < 2; ++k) {
