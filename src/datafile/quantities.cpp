@@ -198,10 +198,6 @@ void QuantityReader::quantity(const Token& word) {
     throw text::Error(named.place, fmt::format("the quantity \"{}\" has no method", named.text),
                       "write method facet_scalar_integral, or another");
   }
-  if (quantity.role == QuantityRole::fixed || quantity.role == QuantityRole::conserved) {
-    reading_.refuse(named.place, quantity.role == QuantityRole::fixed ? "fixed" : "conserved",
-                    "named quantities that are held");
-  }
   reading_.scene.quantities.push_back(std::move(quantity));
 }
 

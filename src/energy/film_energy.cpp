@@ -82,9 +82,6 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
       lines_(std::max(vertex_count_, unfolding_.rows())),
       constrained_(constrained_regions(scene)),
       pressurised_(pressurised_regions(scene)),
-      constrained_gradient_(scene.film, rows_of(constrained_, volumes_.size()),
-                            static_cast<int>(constrained_.size()), constraints_, content_edges_,
-                            scene.edge_integral_order),
       pressure_gradient_(scene.film, rows_of(pressurised_, volumes_.size()),
                          static_cast<int>(pressurised_.size()), {}, content_edges_,
                          scene.edge_integral_order) {
@@ -96,16 +93,64 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
   if (input_.has_regions) rims_ = open_rims(scene.film);
   for (const film::Region region : pressurised_) pressures_.push_back(*scene.body(region).fixed_pressure);
   collect_tense_edges(scene);
-  for (const scene::Quantity& quantity : scene_.quantities) {
-    if (quantity.role == scene::QuantityRole::energy && quantity.modulus != 0)
-      quantities_.emplace_back(scene_, quantity, scene.film.positions(), unfolding_);
-  }
-  if (!quantities_.empty()) quantity_gradient_.resize(lines_.size());
+  collect_quantities(scene);
+  held_values_.resize(constrained_.size() + fixed_.size());
+  constrained_gradient_ = VolumeGradient(scene.film, rows_of(constrained_, volumes_.size()),
+                                         static_cast<int>(held_values_.size()), constraints_, content_edges_,
+                                         scene.edge_integral_order, fixed_rows());
   if (scene.film.periodic()) whole_cells_ = whole_cells(scene, unfolding_);
 }
 
-void FilmEnergy::add_quantity_hessians(std::span<const Vec3> rows, HessianSink& sink) const {
+void FilmEnergy::collect_quantities(const scene::Scene& scene) {
+  for (std::size_t row = 0; row < scene_.quantities.size(); ++row) {
+    const scene::Quantity& quantity = scene_.quantities[row];
+    if (quantity.role == scene::QuantityRole::info_only || quantity.modulus == 0) continue;
+    const bool energy = quantity.role == scene::QuantityRole::energy;
+    (energy ? quantities_ : fixed_sums_).emplace_back(scene_, quantity, scene.film.positions(), unfolding_);
+    if (!energy) fixed_.push_back(row);
+  }
+  if (!quantities_.empty() || !fixed_.empty()) quantity_gradient_.resize(lines_.size());
+}
+
+std::vector<FixedRow> FilmEnergy::fixed_rows() const {
+  std::vector<FixedRow> rows;
+  for (std::size_t i = 0; i < fixed_sums_.size(); ++i) {
+    FixedRow row{static_cast<int>(constrained_.size() + i), fixed_sums_[i].support()};
+    for (std::uint32_t& v : row.vertices) v = vertex_of(film::Vertex(v)).index;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+double FilmEnergy::size_of_fixed(std::size_t i, std::span<const Vec3> positions) const {
+  std::vector<Vec3> extended;
+  return fixed_sums_[i].size(
+      unfolding_.empty() ? positions : unfolding_.extend(positions, extended), scene_.time);
+}
+
+void FilmEnergy::add_quantity_hessians(std::span<const Vec3> rows, std::span<const double> multipliers,
+                                       HessianSink& sink) const {
   for (const QuantitySum& quantity : quantities_) quantity.add_hessian(rows, scene_.time, 1, sink);
+  for (std::size_t i = 0; i < fixed_sums_.size(); ++i)
+    fixed_sums_[i].add_hessian(rows, scene_.time, -multipliers[constrained_.size() + i], sink);
+}
+
+void FilmEnergy::measure_held() {
+  for (std::size_t i = 0; i < constrained_.size(); ++i) held_values_[i] = volumes_[constrained_[i].index];
+  for (std::size_t i = 0; i < fixed_sums_.size(); ++i)
+    held_values_[constrained_.size() + i] = fixed_sums_[i].value(input_.positions, scene_.time);
+}
+
+// After the sweep, whose lines they are read from.
+void FilmEnergy::update_held_gradients() {
+  if (held_values_.empty()) return;
+  constrained_gradient_.update(input_, lines_, open_volume_, scene_.time);
+  for (std::size_t i = 0; i < fixed_sums_.size(); ++i) {
+    std::fill(quantity_gradient_.begin(), quantity_gradient_.end(), Vec3{});
+    fixed_sums_[i].add_gradient(input_.positions, scene_.time, 1, quantity_gradient_);
+    unfolding_.fold<Vec3>(quantity_gradient_);
+    constrained_gradient_.set_fixed(static_cast<int>(constrained_.size() + i), quantity_gradient_);
+  }
 }
 
 void FilmEnergy::set_time(double time) {
@@ -165,6 +210,7 @@ double FilmEnergy::other_terms() {
   for (const TenseEdge& edge : tense_) {
     energy += edge.tension * length(positions[edge.head.index] - positions[edge.tail.index]);
   }
+  measure_held();
   return energy;
 }
 
@@ -225,7 +271,7 @@ double FilmEnergy::gradient(std::span<const Vec3> positions) {
   unfolding_.fold<VertexLine>(lines_);
   area_ = sums.area;
   const double energy = sums.energy + other_terms();
-  if (!constrained_.empty()) constrained_gradient_.update(input_, lines_, open_volume_, scene_.time);
+  update_held_gradients();
   add_other_gradients();
   if (!constraints_.empty()) renew_constraints(positions, {});
   return energy;

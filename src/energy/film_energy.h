@@ -48,6 +48,14 @@ class FilmEnergy {
   const VolumeGradient& volume_gradient() const { return constrained_gradient_; }
   std::span<const film::Region> constrained() const { return constrained_; }
 
+  // The scene's quantities that are fixed or conserved (rows in its list); their gradients are the rows of
+  // `volume_gradient` after those of the bodies.
+  std::span<const std::size_t> fixed() const { return fixed_; }
+  // What is held: the volumes of `constrained`, then the values of `fixed`, at the last call.
+  std::span<const double> held_values() const { return held_values_; }
+  // The sum of the absolute values of what a fixed quantity is made of: the measure of its rounding.
+  double size_of_fixed(std::size_t i, std::span<const Vec3> positions) const;
+
   // The vertices that level sets and boundaries hold. `gradient` renews their directions (every one-sided
   // constraint that is touched counts as holding) and restricts the volume gradients; `lines()` stay the
   // plain gradient.
@@ -76,8 +84,10 @@ class FilmEnergy {
   std::span<const HeavyFacet> heavy() const { return heavy_; }
   std::span<const TenseEdge> tense_edges() const { return tense_; }
   std::span<const RimEdge> rims() const { return rims_; }
-  // The second derivatives of the named quantities; positions and sink go by rows of the unfolding, if any.
-  void add_quantity_hessians(std::span<const Vec3> rows, HessianSink& sink) const;
+  // The second derivatives of the named quantities, and of the fixed ones with minus their multipliers;
+  // positions and sink go by rows of the unfolding, if any.
+  void add_quantity_hessians(std::span<const Vec3> rows, std::span<const double> multipliers,
+                             HessianSink& sink) const;
   std::span<const FieldEdge> energy_edges() const { return energy_edges_; }
   std::span<const FieldEdge> content_edges() const { return content_edges_; }
   std::span<const GapEdge> gaps() const { return gaps_; }
@@ -97,6 +107,10 @@ class FilmEnergy {
   double other_terms();
   void add_other_gradients();
   void add_pressure_gradients();
+  void update_held_gradients();
+  void collect_quantities(const scene::Scene& scene);
+  std::vector<FixedRow> fixed_rows() const;
+  void measure_held();
 
   scene::Scene scene_;  // its film shares the arrays that input_ points into, its formulas are bound
   SweepInput input_;
@@ -111,6 +125,9 @@ class FilmEnergy {
   std::vector<GapEdge> gaps_;
   std::vector<BoundaryGapEdge> boundary_gaps_;
   std::vector<QuantitySum> quantities_;
+  std::vector<std::size_t> fixed_;
+  std::vector<QuantitySum> fixed_sums_;
+  std::vector<double> held_values_;
   std::vector<Vec3> quantity_gradient_;
   std::vector<RimEdge> rims_;
   std::vector<HeavyFacet> heavy_;

@@ -1,6 +1,7 @@
 #include "energy/quantity_sums.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/constraint_sets.h"
 #include "scene/projection.h"
@@ -204,6 +205,17 @@ double QuantitySum::value(std::span<const Vec3> positions, double time) const {
       sum += element.factor * jet(part, element, positions, time, Order::value).value;
   }
   for (const Star& star : stars_) sum += star.factor * value_of(star.star, star.method, positions).value;
+  return sum;
+}
+
+double QuantitySum::size(std::span<const Vec3> positions, double time) const {
+  double sum = std::abs(constant_);
+  for (const Part& part : parts_) {
+    for (const Element& element : part.elements)
+      sum += std::abs(element.factor * jet(part, element, positions, time, Order::value).value);
+  }
+  for (const Star& star : stars_)
+    sum += std::abs(star.factor * value_of(star.star, star.method, positions).value);
   return sum;
 }
 

@@ -29,6 +29,8 @@ class QuantitySum {
               const film::Unfolding& unfolding);
 
   double value(std::span<const Vec3> positions, double time) const;
+  // The sum of the absolute values of what the elements give.
+  double size(std::span<const Vec3> positions, double time) const;
   // Adds `factor` times the gradient to a row for each vertex; returns the value.
   double add_gradient(std::span<const Vec3> positions, double time, double factor,
                       std::span<Vec3> gradient) const;

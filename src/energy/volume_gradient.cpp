@@ -25,16 +25,17 @@ constexpr film::RegionPair mixed{film::Region{1}, film::Region{0}};  // never so
 
 VolumeGradient::VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows,
                                const VertexConstraints& constraints, std::span<const FieldEdge> contents,
-                               int order)
+                               int order, std::span<const FixedRow> fixed)
     : rows_(rows), order_(order) {
   if (rows == 0) return;
-  find_borders(film, row_of_region, constraints, contents);
+  find_borders(film, row_of_region, constraints, contents, fixed);
   build_pattern();
 }
 
 // A vertex all of whose labelled triangles part the same two regions lies inside a film; others are borders.
 void VolumeGradient::find_borders(const film::Film& film, std::span<const int> row_of_region,
-                                  const VertexConstraints& constraints, std::span<const FieldEdge> contents) {
+                                  const VertexConstraints& constraints, std::span<const FieldEdge> contents,
+                                  std::span<const FixedRow> fixed) {
   const film::View view = film.view();
   const std::size_t vertices = view.positions.size();
   std::vector<film::RegionPair> pair_at(vertices);
@@ -53,6 +54,9 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
   const std::vector<RimEdge> rims = open_rims(film);
   for (const RimEdge& rim : rims) pair_at[rim.from.index] = pair_at[rim.to.index] = mixed;
   for (const FieldEdge& content : contents) pair_at[content.from.index] = pair_at[content.to.index] = mixed;
+  for (const FixedRow& row : fixed) {
+    for (const std::uint32_t v : row.vertices) pair_at[v] = mixed;
+  }
   constraints.for_each([&](std::uint32_t v) {
     if (!(pair_at[v] == film::RegionPair{})) pair_at[v] = mixed;
   });
@@ -79,11 +83,12 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
 
   // The rows at each border vertex, then a slot for each.
   std::vector<std::vector<int>> rows_at(borders_.size());
-  const auto touch = [&](film::Vertex v, film::Region region) {
-    const std::uint32_t b = border_of_vertex[v.index];
-    const int row = row_of_region[region.index];
+  const auto touch_row = [&](std::uint32_t b, int row) {
     if (b == none || row < 0) return;
     if (std::find(rows_at[b].begin(), rows_at[b].end(), row) == rows_at[b].end()) rows_at[b].push_back(row);
+  };
+  const auto touch = [&](film::Vertex v, film::Region region) {
+    touch_row(border_of_vertex[v.index], row_of_region[region.index]);
   };
   const auto each_corner = [&](auto&& function) {
     for (std::uint32_t t = 0; t < view.triangles.size(); ++t) {
@@ -95,6 +100,9 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
     touch(v, view.regions[t].front);
     touch(v, view.regions[t].behind);
   });
+  for (const FixedRow& row : fixed) {
+    for (const std::uint32_t v : row.vertices) touch_row(border_of_vertex[v], row.row);
+  }
   for (std::size_t b = 0; b < borders_.size(); ++b) {
     std::sort(rows_at[b].begin(), rows_at[b].end());
     borders_[b].first = static_cast<std::uint32_t>(slots_.size());
@@ -180,6 +188,14 @@ void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine>
     slots_[content.to].gradient += g.to;
   }
   for (Slot& slot : slots_) slot.unrestricted = slot.gradient;
+}
+
+void VolumeGradient::set_fixed(int row, std::span<const Vec3> gradient) {
+  for (const Border& border : borders_) {
+    for (std::uint32_t s = border.first; s < border.last; ++s) {
+      if (slots_[s].row == row) slots_[s].gradient = slots_[s].unrestricted = gradient[border.vertex];
+    }
+  }
 }
 
 void VolumeGradient::restrict(const VertexConstraints& constraints) {

@@ -24,12 +24,21 @@ struct GramEntry {
   friend constexpr auto operator<=>(const GramEntry&, const GramEntry&) = default;
 };
 
+// A constraint on something else than a volume: its row, and the vertices that it depends on.
+struct FixedRow {
+  int row = 0;
+  std::vector<std::uint32_t> vertices;
+};
+
 class VolumeGradient {
  public:
+  VolumeGradient() = default;  // no rows
   // row_of_region[r] is the row of region r among those wanted, or -1. Vertices that `constraints` hold get
-  // lists of their own, as do the ends of edges with contents, whose integrals to degree `order` count too.
+  // lists of their own, as do the ends of edges with contents, whose integrals to degree `order` count too,
+  // and the vertices of `fixed`. Rows count regions and `fixed`.
   VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows,
-                 const VertexConstraints& constraints, std::span<const FieldEdge> contents, int order);
+                 const VertexConstraints& constraints, std::span<const FieldEdge> contents, int order,
+                 std::span<const FixedRow> fixed = {});
 
   int rows() const { return rows_; }
   const std::vector<GramEntry>& pattern() const { return pattern_; }
@@ -37,6 +46,8 @@ class VolumeGradient {
   // Refreshes the gradients; `lines` from sweep_gradient at the same positions and origin. The inner
   // vertices' gradients are read from `lines` in the calls below, so it must live on unchanged.
   void update(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention, double time);
+  // After that: the gradient of a fixed row, by vertex.
+  void set_fixed(int row, std::span<const Vec3> gradient);
   // Takes out of the gradients what constraints forbid; after `update`, and again when directions were
   // renewed.
   void restrict(const VertexConstraints& constraints);
@@ -128,7 +139,8 @@ class VolumeGradient {
 
   Vec3 border_pull(const Border& border) const;
   void find_borders(const film::Film& film, std::span<const int> row_of_region,
-                    const VertexConstraints& constraints, std::span<const FieldEdge> contents);
+                    const VertexConstraints& constraints, std::span<const FieldEdge> contents,
+                    std::span<const FixedRow> fixed);
   void build_pattern();
 
   int rows_ = 0;

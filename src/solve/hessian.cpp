@@ -134,7 +134,7 @@ void ConstrainedHessian::assemble(const Problem& problem, const Basis& basis, st
   const std::vector<double> pressure = pressures_of_regions(problem);
   const film::Unfolding& unfolding = problem.energy().unfolding();
   const std::span<const Vec3> rows = unfolding.empty() ? x : unfolding.extend(x, unfolded_);
-  add_quantities(problem.energy(), basis, rows);
+  add_quantities(problem.energy(), basis, rows, problem.pressures());
   add_films(problem.energy(), basis, rows, pressure);
   add_other_terms(problem.energy(), basis, rows, pressure);
   add_fields(problem.energy(), basis, x, pressure);
@@ -154,7 +154,7 @@ void ConstrainedHessian::assemble(const Problem& problem, const Basis& basis, st
 }
 
 void ConstrainedHessian::add_quantities(const energy::FilmEnergy& energy, const Basis& basis,
-                                        std::span<const Vec3> x) {
+                                        std::span<const Vec3> x, std::span<const double> multipliers) {
   class Sink : public energy::HessianSink {
    public:
     Sink(ConstrainedHessian& hessian, const film::Unfolding& unfolding, const Basis& basis)
@@ -175,7 +175,7 @@ void ConstrainedHessian::add_quantities(const energy::FilmEnergy& energy, const 
     const Basis& basis_;
   };
   Sink sink(*this, energy.unfolding(), basis);
-  energy.add_quantity_hessians(x, sink);
+  energy.add_quantity_hessians(x, multipliers, sink);
 }
 
 // The blocks of energy/triangle_hessian.h, with d the directions of corners i and j, the normal n and

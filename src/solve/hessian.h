@@ -48,7 +48,8 @@ class ConstrainedHessian {
 
   void build_pattern(const Problem& problem, const film::Film& film, const Basis& basis);
   int entry_of(std::uint32_t u, std::uint32_t v) const;
-  void add_quantities(const energy::FilmEnergy& energy, const Basis& basis, std::span<const Vec3> x);
+  void add_quantities(const energy::FilmEnergy& energy, const Basis& basis, std::span<const Vec3> x,
+                      std::span<const double> multipliers);
   void add_films(const energy::FilmEnergy& energy, const Basis& basis, std::span<const Vec3> x,
                  std::span<const double> pressure);
   void add_other_terms(const energy::FilmEnergy& energy, const Basis& basis, std::span<const Vec3> x,

@@ -61,7 +61,7 @@ Problem::Problem(const scene::Scene& scene)
       weights_(inverse_masses(scene.film)),
       gram_(energy_.volume_gradient().rows(), energy_.volume_gradient().pattern()),
       gram_values_(energy_.volume_gradient().pattern().size()) {
-  const std::size_t rows = energy_.constrained().size();
+  const std::size_t rows = energy_.held_values().size();
   targets_.resize(rows);
   volume_scale_.resize(rows);
   pressures_.resize(rows);
@@ -72,11 +72,21 @@ Problem::Problem(const scene::Scene& scene)
 }
 
 void Problem::set_targets(const scene::Scene& scene) {
-  for (std::size_t i = 0; i < targets_.size(); ++i) {
+  const std::size_t bodies = energy_.constrained().size();
+  for (std::size_t i = 0; i < bodies; ++i) {
     targets_[i] = *scene.body(energy_.constrained()[i]).target_volume;
     volume_scale_[i] = std::max(std::abs(targets_[i]), 1e-300);
   }
-  volume_tolerance_ = tolerance_of(scene.film.positions(), volume_scale_);
+  volume_tolerance_ = tolerance_of(scene.film.positions(), {volume_scale_.data(), bodies});
+  const std::span<const Vec3> positions = scene.film.positions();
+  if (energy_.fixed().empty()) return;
+  energy_.value(positions);
+  for (std::size_t i = bodies; i < targets_.size(); ++i) {
+    const scene::Quantity& quantity = scene.quantities[energy_.fixed()[i - bodies]];
+    const bool fixed = quantity.role == scene::QuantityRole::fixed;
+    targets_[i] = fixed ? quantity.target : energy_.held_values()[i];
+    volume_scale_[i] = std::max({std::abs(targets_[i]), energy_.size_of_fixed(i - bodies, positions), 1e-300});
+  }
 }
 
 bool Problem::factorise() {
@@ -147,25 +157,20 @@ void Problem::project(std::span<Vec3> field) {
 }
 
 void Problem::volume_errors(std::span<double> errors) const {
-  const std::span<const double> volumes = energy_.volumes();
-  for (std::size_t i = 0; i < targets_.size(); ++i)
-    errors[i] = targets_[i] - volumes[energy_.constrained()[i].index];
+  for (std::size_t i = 0; i < targets_.size(); ++i) errors[i] = targets_[i] - energy_.held_values()[i];
 }
 
 double Problem::merit(std::span<const Vec3> x) {
   double result = energy_.value(x);
-  const std::span<const double> volumes = energy_.volumes();
-  for (std::size_t i = 0; i < targets_.size(); ++i) {
-    result -= pressures_[i] * (volumes[energy_.constrained()[i].index] - targets_[i]);
-  }
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    result -= pressures_[i] * (energy_.held_values()[i] - targets_[i]);
   return result;
 }
 
 double Problem::volume_error() const {
   double worst = 0;
-  const std::span<const double> volumes = energy_.volumes();
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const double error = targets_[i] - volumes[energy_.constrained()[i].index];
+    const double error = targets_[i] - energy_.held_values()[i];
     worst = std::max(worst, std::abs(error) / volume_scale_[i]);
   }
   return worst;
@@ -202,17 +207,18 @@ Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode m
 }
 
 void Problem::limit(std::span<double> errors) const {
-  const std::span<const double> volumes = energy_.volumes();
-  for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const double size = std::max(std::abs(volumes[energy_.constrained()[i].index]), 0.01 * volume_scale_[i]);
+  for (std::size_t i = 0; i < energy_.constrained().size(); ++i) {
+    const double size = std::max(std::abs(energy_.held_values()[i]), 0.01 * volume_scale_[i]);
     errors[i] = std::clamp(errors[i], -most_shrinking * size, most_growth * size);
   }
 }
 
 void Problem::publish(scene::Scene& scene) const {
   if (!energy_.constraints().empty()) energy_.constraints().publish(scene);
-  for (std::size_t i = 0; i < targets_.size(); ++i)
-    scene.body(energy_.constrained()[i]).pressure = pressures_[i];
+  const std::size_t bodies = energy_.constrained().size();
+  for (std::size_t i = 0; i < bodies; ++i) scene.body(energy_.constrained()[i]).pressure = pressures_[i];
+  for (std::size_t i = bodies; i < targets_.size(); ++i)
+    scene.quantities[energy_.fixed()[i - bodies]].pressure = pressures_[i];
 }
 
 }  // namespace lamella::solve

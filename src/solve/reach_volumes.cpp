@@ -84,9 +84,11 @@ Ending reach_volumes(const scene::Scene& scene, Problem& problem, std::span<Vec3
   for (int step = 0; step < most_steps && problem.volume_error() >= small_error; ++step) {
     if (!stretching.factorise(x)) break;
     for (std::size_t i = 0; i < change.size(); ++i) {
-      const double volume = problem.energy().volumes()[problem.energy().constrained()[i].index];
-      const double size = std::max(std::abs(volume), 0.01 * std::abs(problem.targets()[i]));
-      change[i] = std::clamp(problem.targets()[i] - volume, most_shrinking * size, most_growing * size);
+      const double held = problem.energy().held_values()[i];
+      change[i] = problem.targets()[i] - held;
+      if (i >= problem.energy().constrained().size()) continue;
+      const double size = std::max(std::abs(held), 0.01 * std::abs(problem.targets()[i]));
+      change[i] = std::clamp(change[i], most_shrinking * size, most_growing * size);
     }
     if (!stretching.find(change, field)) break;
     for (std::size_t v = 0; v < x.size(); ++v) x[v] += field[v];

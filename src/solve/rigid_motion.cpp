@@ -83,11 +83,12 @@ bool is_symmetry(Problem& problem, std::span<const Vec3> x, const std::vector<st
       problem.energy().constraints().violation(moved) > same * motion.extent)
     return false;
   const double energy = problem.energy().value(x);
-  const std::vector<double> volumes(problem.energy().volumes().begin(), problem.energy().volumes().end());
+  const std::vector<double> held(problem.energy().held_values().begin(), problem.energy().held_values().end());
   if (!(std::abs(problem.energy().value(moved) - energy) < same * std::abs(energy))) return false;
-  for (const film::Region region : problem.energy().constrained()) {
-    const double change = problem.energy().volumes()[region.index] - volumes[region.index];
-    if (!(std::abs(change) < same * std::abs(volumes[region.index]))) return false;
+  const std::size_t bodies = problem.energy().constrained().size();
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const double size = i < bodies ? std::abs(held[i]) : problem.energy().size_of_fixed(i - bodies, x);
+    if (!(std::abs(problem.energy().held_values()[i] - held[i]) < same * size)) return false;
   }
   return true;
 }
