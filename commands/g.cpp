@@ -30,8 +30,8 @@ void run(Session& session, const DescendOptions& options) {
     const bool moved = step.ending == solve::Ending::step_limit;
     if (!moved && step.ending != solve::Ending::stuck && step.ending != solve::Ending::converged)
       fail(step.ending);
-    session.tell("{:3}. area: {:#17.15g} energy: {:#17.15g}  scale: {:#g}\n", i, step.area, step.energy,
-                 step.scale);
+    session.tell("{:3}. {}: {:#17.15g} energy: {:#17.15g}  scale: {:#g}\n", i,
+                 scene.strings.on ? "length" : "area", step.area, step.energy, step.scale);
     session.monitor().progress(options.steps - i + 1, options.steps, step.energy);
     if (!moved) {
       session.tell("No step along the gradient lowers the energy any more.\n");

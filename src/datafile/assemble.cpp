@@ -54,6 +54,7 @@ class Assembler {
   void add_triangles();
   void wrap_edges();
   void add_columns(ElementKind kind);
+  void add_cells();
   void add_inheriting_columns();
   void add_original(ElementKind kind);
   void inherit_in_cuts();
@@ -73,6 +74,7 @@ class Assembler {
 };
 
 void Assembler::plan_cuts() {
+  if (reading_.scene.strings.on) return;
   const std::size_t faces = rows_.of(ElementKind::facet).size();
   for (std::uint32_t face = 0; face < faces; ++face) {
     const std::size_t corners = loop(face).size();
@@ -123,6 +125,7 @@ void Assembler::add_edges() {
 }
 
 void Assembler::add_triangles() {
+  if (reading_.scene.strings.on) return;
   std::size_t next_cut = 0;
   for (std::size_t face = 0; face < rows_.of(ElementKind::facet).size(); ++face) {
     const std::span<const SignedEdge> edges = loop(face);
@@ -160,6 +163,27 @@ void Assembler::add_columns(ElementKind kind) {
     if (kind != ElementKind::body || column.name != ramp_name) to.add(std::move(column));
   }
   if (kind != ElementKind::body) add_original(kind);
+}
+
+// Faces of the string model; edges have a tension of 1 unless they say otherwise.
+void Assembler::add_cells() {
+  const std::vector<std::uint32_t>& ids = rows_.of(ElementKind::facet).ids;
+  std::vector<std::vector<int>> cells_of(film_.edge_rows());
+  for (std::size_t face = 0; face < ids.size(); ++face) {
+    const int number = static_cast<int>(face) + 1;
+    reading_.scene.strings.cells.push_back({regions_[face], ids[face]});
+    for (const SignedEdge e : loop(face)) cells_of[e.edge().index].push_back(e.reversed() ? -number : number);
+  }
+  film::Column column = film::integer_column(scene::cells_column);
+  for (const std::vector<int>& cells : cells_of)
+    column.width = std::max(column.width, static_cast<int>(cells.size()));
+  column.shape = {column.width};
+  film::Columns& columns = film_.columns(ElementKind::edge);
+  film::Column& added = columns.add(std::move(column));
+  for (std::uint32_t row = 0; row < cells_of.size(); ++row) {
+    for (std::size_t k = 0; k < cells_of[row].size(); ++k) added.set(row, static_cast<int>(k), cells_of[row][k]);
+  }
+  if (columns.find("tension") == nullptr) columns.add(film::real_column("tension", 1));
 }
 
 // What splits a fixed edge is fixed, what is drawn inside a fixed face too: so where faces or edges have such
@@ -235,7 +259,7 @@ void Assembler::number_elements() {
   if (!reading_.keep_originals) return;
   number_kind(ElementKind::vertex, film_.vertex_rows());
   number_kind(ElementKind::edge, film_.edge_rows());
-  number_kind(ElementKind::facet, film_.triangle_rows());
+  if (!reading_.scene.strings.on) number_kind(ElementKind::facet, film_.triangle_rows());
 }
 
 void Assembler::run() {
@@ -245,8 +269,12 @@ void Assembler::run() {
   add_triangles();
   if (reading_.periods) wrap_edges();
   drop_needless_backcolor(rows_.columns_of(ElementKind::facet));
-  for (const ElementKind kind : {ElementKind::vertex, ElementKind::edge, ElementKind::facet})
-    add_columns(kind);
+  for (const ElementKind kind : {ElementKind::vertex, ElementKind::edge}) add_columns(kind);
+  if (reading_.scene.strings.on) {
+    add_cells();
+  } else {
+    add_columns(ElementKind::facet);
+  }
   add_inheriting_columns();
   add_constraints(reading_);
   add_memberships(reading_);

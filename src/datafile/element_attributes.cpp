@@ -118,7 +118,9 @@ void AttributeReader::read() {
 // Columns of the language's own attributes are made when the first element has one.
 film::Column& AttributeReader::column(std::string_view name) {
   if (film::Column* const existing = find_column(reading_, kind_, name)) return *existing;
-  return reading_.rows.columns_of(kind_).emplace_back(make_column(*known_column(kind_, name)));
+  film::Column made = make_column(*known_column(kind_, name));
+  if (reading_.scene.strings.on && kind_ == ElementKind::edge && name == "tension") made.blank = 1;
+  return reading_.rows.columns_of(kind_).emplace_back(std::move(made));
 }
 
 void AttributeReader::set(std::string_view name, double value) {

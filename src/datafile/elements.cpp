@@ -33,6 +33,7 @@ class ListReader {
 
  private:
   Rows& rows() { return reading_.rows; }
+  int dimension() const { return reading_.scene.strings.dimension; }  // of space
   std::vector<std::uint8_t>& broken(ElementKind kind) {
     return rows().broken[static_cast<std::size_t>(kind)];
   }
@@ -231,7 +232,7 @@ void ListReader::coordinates() {
   rows().positions.emplace_back();
   rows().coordinates = 0;
   film::Vec3 position;
-  while (rows().coordinates < 3 && at_value(reading_, line_)) {
+  while (rows().coordinates < dimension() && at_value(reading_, line_)) {
     const GivenValue given = line_.value();
     if (std::abs(given.value) > largest_coordinate) {
       throw text::Error(line_.place(given.spot),
@@ -242,11 +243,11 @@ void ListReader::coordinates() {
   }
   end_of_coordinates_ = line_.here();
   const bool may_be_parameters = rows().coordinates > 0 && !reading_.scene.boundaries.empty();
-  if (rows().coordinates < 3 && !may_be_parameters) refuse_coordinates();
+  if (rows().coordinates < dimension() && !may_be_parameters) refuse_coordinates();
   if (line_.at_number()) {
     const text::Place place = line_.place(line_.here());
     const bool commas = text::line_of(place).find(',') != std::string_view::npos;
-    throw text::Error(place, fmt::format("vertex {} has more than three coordinates", id),
+    throw text::Error(place, fmt::format("vertex {} has more than {} coordinates", id, dimension() == 2 ? "two" : "three"),
                       commas ? "commas stand between numbers; decimals have a point" : "");
   }
   rows().positions.back() = position;
@@ -255,13 +256,14 @@ void ListReader::coordinates() {
 void ListReader::refuse_coordinates() {
   throw text::Error(
       line_.place(end_of_coordinates_),
-      fmt::format("vertex {} has {}, and needs three", rows().of(ElementKind::vertex).ids.back(),
-                  few[static_cast<std::size_t>(rows().coordinates)]));
+      fmt::format("vertex {} has {}, and needs {}", rows().of(ElementKind::vertex).ids.back(),
+                  few[static_cast<std::size_t>(rows().coordinates)],
+                                dimension() == 2 ? "two" : "three"));
 }
 
 // After the attributes of a vertex.
 void ListReader::check_coordinates() {
-  if (kind_ != ElementKind::vertex || rows().coordinates == 3) return;
+  if (kind_ != ElementKind::vertex || rows().coordinates == dimension()) return;
   const auto& boundaries = rows().boundaries[static_cast<std::size_t>(ElementKind::vertex)];
   if (boundaries.empty() || boundaries.back().first != *row_) refuse_coordinates();
 }
@@ -299,14 +301,14 @@ void ListReader::ends() {
 // Three signs: how the edge goes around each period.
 void ListReader::wrap() {
   film::Wrap wrap;
-  for (std::int32_t& times : wrap.times) {
+  for (std::int32_t& times : std::span(wrap.times).first(static_cast<std::size_t>(dimension()))) {
     if (line_.accept("+")) {
       times = 1;
     } else if (line_.accept("-")) {
       times = -1;
     } else if (!line_.accept("*")) {
       throw text::Error(line_.place(line_.here()),
-                        fmt::format("edge {} needs three signs, for how it goes around the periods",
+                        fmt::format("edge {} needs a sign for each period, for how it goes around",
                                     rows().of(ElementKind::edge).ids.back()),
                         "+ for once around, - for once backward, * for not at all: 1  4 7  * + *");
     }

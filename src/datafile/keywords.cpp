@@ -32,10 +32,9 @@ struct RefusedWord {
   std::string_view feature;
 };
 
-constexpr std::array<RefusedWord, 46> refused_words = {{
+constexpr std::array<RefusedWord, 45> refused_words = {{
     {"symmetry_group", "symmetry groups"},
     {"rotation_order", "symmetry groups"},
-    {"string", "the string model: films of one dimension"},
     {"quadratic", "the quadratic model"},
     {"lagrange", "the Lagrange model"},
     {"lagrange_order", "the Lagrange model"},

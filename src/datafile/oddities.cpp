@@ -135,7 +135,7 @@ void FaceCheck::warn_of_doubled_faces() {
 }
 
 void FaceCheck::run() {
-  if (reading_.periods) return;  // faces may well differ by how they go around
+  if (reading_.periods || reading_.scene.strings.on) return;  // faces may well differ by how they go around
   warn_of_doubled_faces();
   for (std::size_t face = 0; face < faces_.size(); ++face) {
     if (resolved_.sound_faces[face] == 0 || !has_no_area(face)) continue;

@@ -23,6 +23,7 @@ class DatafileReader {
  public:
   DatafileReader(const text::SourcePointer& file, const language::Variables* session)
       : file_(file), reading_(file) {
+    reading_.scene.strings = scene::make_string_model();
     if (session != nullptr) reading_.scene.variables.restart_like(*session);
     reading_.scene.name = file->name;
     reading_.scene.title = title_of(file->content);
@@ -45,6 +46,9 @@ class DatafileReader {
 bool DatafileReader::parse() {
   try {
     read_top_section(reading_);
+    const scene::StringModel& strings = reading_.scene.strings;
+    if (strings.dimension == 2 && !strings.on)
+      reading_.refuse(reading_.dimension_place, "space_dimension", "facets in a plane");
     // Lists look different where a feature is used that is not supported.
     if (!reading_.refused.empty()) return false;
     at_read_ = read_lists(reading_);

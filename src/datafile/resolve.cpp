@@ -101,6 +101,7 @@ void Resolver::loops() {
   result_.faces_at_edge.assign(result_.edge_ends.size(), 0);
   for (std::size_t face = 0; face < result_.sound_faces.size(); ++face) {
     loop(face);
+    if (reading_.scene.strings.on) continue;  // cells need not close
     result_.sound_faces[face] = !rows_.is_broken(ElementKind::facet, face) && closes(face) ? 1 : 0;
   }
 }

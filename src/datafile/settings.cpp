@@ -51,9 +51,20 @@ void read_order(Reading& reading, const Token& word) {
   reading.scene.facet_integral_order = order;
 }
 
-// The only dimension that there is may be stated.
-void require_dimension(Reading& reading, const Token& word, double wanted, std::string_view feature) {
-  if (number_after(reading, word) != wanted) reading.refuse(word.place, text::lower(word.text), feature);
+// Films of edges, in a plane or in space, or of facets in space.
+void read_space_dimension(Reading& reading, const Token& word) {
+  const double dimension = number_after(reading, word);
+  reading.dimension_place = word.place;
+  reading.scene.strings.dimension = static_cast<int>(dimension);
+  if (dimension != 2 && dimension != 3)
+    reading.refuse(word.place, text::lower(word.text), "only spaces of two and three dimensions are");
+}
+
+void read_surface_dimension(Reading& reading, const Token& word) {
+  const double dimension = number_after(reading, word);
+  reading.scene.strings.on = dimension == 1;
+  if (dimension != 1 && dimension != 2)
+    reading.refuse(word.place, text::lower(word.text), "only films of one and two dimensions are");
 }
 
 // Space that repeats itself, in unit cubes until told otherwise. Whether bodies fill it shows by itself.
@@ -62,10 +73,12 @@ void read_torus(Reading& reading, const Token&) {
 }
 
 void read_periods(Reading& reading, const Token& word) {
-  std::array<film::Vec3, 3> periods;
-  for (film::Vec3& period : periods) {
-    for (int axis = 0; axis < 3; ++axis)
-      period[axis] = top_value(reading, fmt::format("\"{}\" needs three vectors of three numbers", word.text));
+  std::array<film::Vec3, 3> periods{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const int dimension = reading.scene.strings.dimension;
+  for (int i = 0; i < dimension; ++i) {
+    film::Vec3& period = periods[static_cast<std::size_t>(i)];
+    for (int axis = 0; axis < dimension; ++axis)
+      period[axis] = top_value(reading, fmt::format("\"{}\" needs as many vectors as space has dimensions", word.text));
   }
   const double cell = std::abs(dot(periods[0], cross(periods[1], periods[2])));
   if (!(cell > 1e-12 * length(periods[0]) * length(periods[1]) * length(periods[2])))
@@ -73,7 +86,7 @@ void read_periods(Reading& reading, const Token& word) {
   reading.periods = periods;
 }
 
-constexpr std::array<Setting, 23> setting_table = {{
+constexpr std::array<Setting, 24> setting_table = {{
     {"torus", read_torus},
     {"torus_filled", read_torus},
     {"periods", read_periods},
@@ -97,14 +110,9 @@ constexpr std::array<Setting, 23> setting_table = {{
     {"interp_bdry_param", [](Reading& r, const Token&) { r.scene.interpolate_parameters = true; }},
     {"keep_originals", [](Reading& r, const Token&) { r.keep_originals = true; }},
     {"keep_macros", [](Reading& r, const Token&) { r.keep_macros = true; }},
-    {"space_dimension",
-     [](Reading& r, const Token& word) {
-       require_dimension(r, word, 3, "only space of three dimensions is");
-     }},
-    {"surface_dimension",
-     [](Reading& r, const Token& word) {
-       require_dimension(r, word, 2, "only films of two dimensions are");
-     }},
+    {"string", [](Reading& r, const Token&) { r.scene.strings.on = true; }},
+    {"space_dimension", read_space_dimension},
+    {"surface_dimension", read_surface_dimension},
 }};
 
 constexpr std::array<SettingParameter, 6> parameter_table = {{

@@ -35,12 +35,20 @@ bool is_filled(const scene::Scene& scene) {
 
 void write_periods(std::string& out, const scene::Scene& scene) {
   if (!scene.film.periodic()) return;
-  out += is_filled(scene) ? "torus_filled\nperiods\n" : "torus\nperiods\n";
-  for (const film::Vec3& p : scene.film.lattice()->periods()) put(out, "{} {} {}\n", p.x, p.y, p.z);
+  out += !scene.strings.on && is_filled(scene) ? "torus_filled\nperiods\n" : "torus\nperiods\n";
+  const bool plane = scene.strings.on && scene.strings.dimension == 2;
+  for (const film::Vec3& p : std::span(scene.film.lattice()->periods()).first(plane ? 2 : 3)) {
+    if (plane) {
+      put(out, "{} {}\n", p.x, p.y);
+    } else {
+      put(out, "{} {} {}\n", p.x, p.y, p.z);
+    }
+  }
 }
 
 void write_settings(std::string& out, const scene::Scene& scene) {
   const scene::Scene blank;
+  if (scene.strings.on) put(out, "string\nspace_dimension {}\n", scene.strings.dimension);
   write_periods(out, scene);
   if (scene.gravity.constant != blank.gravity.constant)
     put(out, "gravity_constant {}\n", scene.gravity.constant);

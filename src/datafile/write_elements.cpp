@@ -152,6 +152,10 @@ void AttributeWriter::write(std::string& out, std::uint32_t row, std::uint32_t n
 
 // --- lists
 
+bool in_plane(const scene::Scene& scene) {
+  return scene.strings.on && scene.strings.dimension == 2;
+}
+
 // The coordinates of a vertex, or its parameters on its boundary.
 void write_place(std::string& out, const scene::Scene& scene, Vertex v) {
   const Film& film = scene.film;
@@ -160,8 +164,8 @@ void write_place(std::string& out, const scene::Scene& scene, Vertex v) {
     const film::Vec3& position = film.position(v);
     if (!is_finite(position))
       throw text::Error(fmt::format("cannot save: vertex {} is nowhere", film.number(v)));
-    fmt::format_to(std::back_inserter(out), FMT_COMPILE("{} {} {} {}"), film.number(v), position.x,
-                   position.y, position.z);
+    fmt::format_to(std::back_inserter(out), FMT_COMPILE("{} {} {}"), film.number(v), position.x, position.y);
+    if (!in_plane(scene)) fmt::format_to(std::back_inserter(out), FMT_COMPILE(" {}"), position.z);
     return;
   }
   const std::array<double, 3> parameters = scene::boundary_parameters(scene, v);
@@ -192,9 +196,10 @@ void write_vertices(std::string& out, const scene::Scene& scene) {
 }
 
 // An edge that goes around more than once cannot be written down.
-void write_wrap(std::string& out, const Film& film, Edge e) {
+void write_wrap(std::string& out, const scene::Scene& scene, Edge e) {
+  const Film& film = scene.film;
   const film::Wrap wrap = film.wrap(film::SignedEdge(e, false));
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < (in_plane(scene) ? 2U : 3U); ++i) {
     if (std::abs(wrap[i]) > 1) {
       throw text::Error(
           fmt::format("cannot save: edge {} goes around period {} more than once", film.number(e), i + 1));
@@ -214,7 +219,7 @@ void write_edges(std::string& out, const scene::Scene& scene) {
     if (!film.alive(e)) continue;
     fmt::format_to(std::back_inserter(out), FMT_COMPILE("{} {} {}"), film.number(e),
                    film.number(film.ends(e)[0]), film.number(film.ends(e)[1]));
-    if (film.periodic()) write_wrap(out, film, e);
+    if (film.periodic()) write_wrap(out, scene, e);
     constraints.write(out, row);
     memberships.write(out, row);
     attributes.write(out, row, film.number(e));
@@ -243,9 +248,29 @@ void write_faces(std::string& out, const scene::Scene& scene) {
   }
 }
 
+void write_cells(std::string& out, const scene::Scene& scene) {
+  if (scene.strings.cells.empty()) return;
+  out += "\nfaces\n";
+  const auto loops = scene::loops_of_cells(scene);
+  for (std::size_t cell = 0; cell < loops.size(); ++cell) {
+    put_id(out, static_cast<std::uint32_t>(cell) + 1);
+    for (const film::SignedEdge e : loops[cell]) {
+      out += e.reversed() ? " -" : " ";
+      put_id(out, scene.film.number(e.edge()));
+    }
+    out += '\n';
+  }
+}
+
 // The signed facets of each body, by body row. A facet with a body on both sides is listed with both signs.
 std::vector<std::vector<std::int64_t>> facets_of_bodies(const scene::Scene& scene) {
   std::vector<std::vector<std::int64_t>> facets(scene.bodies.size());
+  for (std::size_t cell = 0; cell < scene.strings.cells.size(); ++cell) {
+    const auto number = static_cast<std::int64_t>(cell) + 1;
+    const film::RegionPair regions = scene.strings.cells[cell].regions;
+    if (!regions.behind.outside()) facets[regions.behind.index - 1].push_back(number);
+    if (!regions.front.outside()) facets[regions.front.index - 1].push_back(-number);
+  }
   for (std::uint32_t row = 0; row < scene.film.triangle_rows(); ++row) {
     const Triangle t(row);
     if (!scene.film.alive(t)) continue;
@@ -302,6 +327,8 @@ void write_bodies(std::string& out, const scene::Scene& scene) {
 // Bodies that exist and have a facet: one without could not be read.
 std::vector<std::uint8_t> bodies_in_use(const scene::Scene& scene) {
   std::vector<std::uint8_t> result(scene.bodies.size() + 1, 0);
+  for (const scene::Cell& cell : scene.strings.cells)
+    result[cell.regions.front.index] = result[cell.regions.behind.index] = 1;
   for (std::uint32_t row = 0; row < scene.film.triangle_rows(); ++row) {
     if (!scene.film.alive(Triangle(row))) continue;
     const film::RegionPair regions = scene.film.regions(Triangle(row));
@@ -350,7 +377,11 @@ void write_elements(std::string& out, const scene::Scene& scene) {
   out.reserve(out.size() + row_length * rows);
   write_vertices(out, scene);
   write_edges(out, scene);
-  write_faces(out, scene);
+  if (scene.strings.on) {
+    write_cells(out, scene);
+  } else {
+    write_faces(out, scene);
+  }
   write_bodies(out, scene);
 }
 

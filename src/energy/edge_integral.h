@@ -23,7 +23,8 @@ struct EdgeHessian {
   film::Mat3 from_to;
 };
 
-// An edge that a field is integrated along, so many times (negative: against its direction).
+// An edge that a field is integrated along, so many times (negative: against its direction). Or, in films of one
+// dimension, a function of which the value at the tail is taken from that at the head.
 struct FieldEdge {
   const scene::EdgeIntegrand* field = nullptr;
   film::Vertex from;
@@ -32,6 +33,12 @@ struct FieldEdge {
   film::Region region;  // of a content: the region whose volume gets it
   // The edge's attributes that the field's components read, one component after the other.
   std::vector<double> attributes = {};
+  // In a periodic film, what brings the ends to where the edge lies.
+  Vec3 shift_from = {};
+  Vec3 shift_to = {};
+  // Of a function at the ends (the field's first component): at which.
+  bool at_from = false;
+  bool at_to = false;
 };
 
 // So many times the integral of a field along the straight edge, by Gauss's rule with as many points as

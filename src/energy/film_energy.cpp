@@ -135,6 +135,15 @@ void FilmEnergy::add_quantity_hessians(std::span<const Vec3> rows, std::span<con
     fixed_sums_[i].add_hessian(rows, scene_.time, -multipliers[constrained_.size() + i], sink);
 }
 
+double FilmEnergy::tense_length() const {
+  double sum = 0;
+  const std::span<const std::array<film::Vertex, 2>> edges =
+      unfolding_.empty() ? std::span(scene_.film.connectivity().edge_vertices) : unfolding_.edges();
+  for (const auto& [tail, head] : edges)
+    sum += length(input_.positions[head.index] - input_.positions[tail.index]);
+  return sum;
+}
+
 void FilmEnergy::measure_held() {
   for (std::size_t i = 0; i < constrained_.size(); ++i) held_values_[i] = volumes_[constrained_[i].index];
   for (std::size_t i = 0; i < fixed_sums_.size(); ++i)
@@ -243,9 +252,16 @@ void FilmEnergy::add_other_gradients() {
     for (std::size_t k = 0; k < 3; ++k) lines_[v[k].index].gradient += facet.weight * g[k];
   }
   for (const TenseEdge& edge : tense_) {
-    const Vec3 pull = edge.tension * unit(positions[edge.head.index] - positions[edge.tail.index]);
+    const Vec3 way = positions[edge.head.index] - positions[edge.tail.index];
+    const double size = length(way);
+    if (!(size > 0)) continue;
+    const Vec3 pull = (edge.tension / size) * way;
+    // The two ends against each other: an eigenvalue of twice the tension over the length.
+    const double stiffness = 2 * std::abs(edge.tension) / size;
     lines_[edge.tail.index].gradient -= pull;
     lines_[edge.head.index].gradient += pull;
+    lines_[edge.tail.index].stiffness += stiffness;
+    lines_[edge.head.index].stiffness += stiffness;
   }
   unfolding_.fold<VertexLine>(lines_);
   add_pressure_gradients();
@@ -261,7 +277,7 @@ void FilmEnergy::add_pressure_gradients() {
 double FilmEnergy::value(std::span<const Vec3> positions) {
   start(positions);
   const SweepSums sums = sweep_energy(input_, volumes_);
-  area_ = sums.area;
+  area_ = scene_.strings.on ? tense_length() : sums.area;
   return sums.energy + other_terms();
 }
 
@@ -269,7 +285,7 @@ double FilmEnergy::gradient(std::span<const Vec3> positions) {
   start(positions);
   const SweepSums sums = sweep_gradient(input_, volumes_, lines_);
   unfolding_.fold<VertexLine>(lines_);
-  area_ = sums.area;
+  area_ = scene_.strings.on ? tense_length() : sums.area;
   const double energy = sums.energy + other_terms();
   update_held_gradients();
   add_other_gradients();

@@ -36,7 +36,7 @@ class FilmEnergy {
 
   // Volume of region r at the last call, volconst included; [0] is meaningless.
   std::span<const double> volumes() const { return volumes_; }
-  double area() const { return area_; }  // plain area at the last call
+  double area() const { return area_; }  // plain area at the last call; length where films are of one dimension
   std::span<VertexLine> lines() { return {lines_.data(), vertex_count_}; }
   std::span<const VertexLine> lines() const { return {lines_.data(), vertex_count_}; }
   std::size_t vertex_count() const { return vertex_count_; }
@@ -111,6 +111,7 @@ class FilmEnergy {
   void collect_quantities(const scene::Scene& scene);
   std::vector<FixedRow> fixed_rows() const;
   void measure_held();
+  double tense_length() const;
 
   scene::Scene scene_;  // its film shares the arrays that input_ points into, its formulas are bound
   SweepInput input_;

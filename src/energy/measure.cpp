@@ -49,7 +49,8 @@ void add_formula_terms(const scene::Scene& scene, Measures& m) {
 }
 
 bool has_formulas(const scene::Scene& scene) {
-  return !scene.level_sets.empty() || !scene.boundaries.empty() || !scene.quantities.empty();
+  return !scene.level_sets.empty() || !scene.boundaries.empty() || !scene.quantities.empty() ||
+         scene.strings.on;
 }
 
 // A number that changes when a column of the film may have.
@@ -95,6 +96,7 @@ Measures measure(const scene::Scene& scene) {
   m.area = sums.area;
   m.energy = sums.energy;
   m.length = total_length(film, film.columns(ElementKind::edge).reals("tension"), m.energy);
+  if (scene.strings.on) m.area = m.length;
   if (has_formulas(scene)) add_formula_terms(scene, m);
   if (scene.bodies.empty()) return m;
   if (film.periodic()) {

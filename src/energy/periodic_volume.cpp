@@ -8,7 +8,7 @@ namespace lamella::energy {
 
 std::vector<double> whole_cells(const scene::Scene& scene, const film::Unfolding& unfolding) {
   std::vector<double> volumes(scene.bodies.size() + 1);
-  if (scene.bodies.empty()) return volumes;
+  if (scene.bodies.empty() || scene.strings.on) return volumes;  // cells are measured whole
   std::vector<film::Vec3> extended;
   SweepInput input;
   input.positions = unfolding.extend(scene.film.positions(), extended);

@@ -100,6 +100,10 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
     touch(v, view.regions[t].front);
     touch(v, view.regions[t].behind);
   });
+  for (const FieldEdge& content : contents) {
+    touch(content.from, content.region);
+    touch(content.to, content.region);
+  }
   for (const FixedRow& row : fixed) {
     for (const std::uint32_t v : row.vertices) touch_row(border_of_vertex[v], row.row);
   }

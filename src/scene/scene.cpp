@@ -28,6 +28,11 @@ void advance_targets(Scene& scene, double time) {
   }
 }
 
+std::uint32_t facet_count(const Scene& scene) {
+  return scene.strings.on ? static_cast<std::uint32_t>(scene.strings.cells.size())
+                          : scene.film.triangle_count();
+}
+
 double present_gravity(const Scene& scene) {
   return scene.gravity.on ? scene.gravity.constant : 0;
 }

@@ -12,6 +12,7 @@
 #include "film/film.h"
 #include "language/procedure.h"
 #include "language/variables.h"
+#include "scene/cells.h"
 #include "scene/constraint.h"
 #include "scene/forces.h"
 #include "scene/quantity.h"
@@ -75,6 +76,7 @@ struct Scene {
   LevelSets level_sets;
   Boundaries boundaries;
   std::vector<Quantity> quantities;
+  StringModel strings;
   double gap_constant = 1;              // of the gap energy at convex constraints
   int edge_integral_order = 3;          // polynomials up to this degree are integrated exactly along edges
   double constraint_tolerance = 1e-12;  // values of level sets that files and splits may leave
@@ -107,6 +109,9 @@ struct Scene {
   bool has_fixed_volume() const;
   bool empty() const { return film.vertex_rows() == 0; }
 };
+
+// What the datafile calls faces: facets, or cells of the string model.
+std::uint32_t facet_count(const Scene& scene);
 
 // Bodies that exist.
 std::uint32_t body_count(const Scene& scene);

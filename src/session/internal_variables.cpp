@@ -85,7 +85,7 @@ const InternalVariable table[] = {
     {"vertex_count", "number of vertices", [](Session& s) { return count(s.scene().film.vertex_count()); },
      nullptr},
     {"edge_count", "number of edges", [](Session& s) { return count(s.scene().film.edge_count()); }, nullptr},
-    {"facet_count", "number of facets", [](Session& s) { return count(s.scene().film.triangle_count()); },
+    {"facet_count", "number of facets", [](Session& s) { return count(scene::facet_count(s.scene())); },
      nullptr},
     {"facetedge_count", "number of sides of facets",
      [](Session& s) { return count(3 * s.scene().film.triangle_count()); }, nullptr},

@@ -407,7 +407,7 @@ void Session::load(const std::string& path) {
   state_->loading = outer;
   const film::Film& film = state_->scene.film;
   tell("{}: {} vertices, {} edges, {} facets, {} bodies\n", path, film.vertex_count(), film.edge_count(),
-       film.triangle_count(), scene::body_count(state_->scene));
+       scene::facet_count(state_->scene), scene::body_count(state_->scene));
   if (left_out > 0)
     tell("{} of the commands at its end {} left out\n", left_out, left_out == 1 ? "was" : "were");
 }

@@ -7,7 +7,7 @@ namespace lamella::session {
 std::string counts_row(const scene::Scene& scene) {
   const film::Film& film = scene.film;
   return fmt::format("Vertices: {}  Edges: {}  Facets: {}  Bodies: {}  Facetedges: {}\n", film.vertex_count(),
-                     film.edge_count(), film.triangle_count(), scene::body_count(scene),
+                     film.edge_count(), scene::facet_count(scene), scene::body_count(scene),
                      3 * film.triangle_count());
 }
 

@@ -8,8 +8,7 @@ namespace lamella::solve {
 namespace {
 
 constexpr int most_halvings = 40;
-constexpr int most_growths = 20;
-constexpr double growth = 4;
+constexpr int most_doublings = 60;
 constexpr double forgotten = 1e-3;
 
 }  // namespace
@@ -73,12 +72,12 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
   // A scale far below what the film stands is left from an equilibrium, where rounding decides.
   if (!(scale > forgotten * first_scale(problem_))) scale = first_scale(problem_);
   scale = std::min(scale, limit);
-  bool found = squared != 0 && search(x, start, squared, scale, limit);
+  bool found = squared != 0 && search(x, start, scale, limit);
   if (!found && !steepest && squared != 0) {
     // Conjugate to a past that no longer counts: begin anew.
     direction_ = last_force_;
     scale = std::min(first_scale(problem_), limit);
-    found = search(x, start, steep, scale, limit);
+    found = search(x, start, scale, limit);
   }
   if (!found) {
     place(x, 0);
@@ -89,35 +88,38 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
   return finish(x, scale, squared, start);
 }
 
-// Leaves x at the accepted scale. `squared` is minus the slope at 0.
-bool Descent::search(std::span<Vec3> x, double start, double squared, double& scale, double limit) {
-  double best = HUGE_VAL;
-  for (int halving = 0; halving < most_halvings; ++halving) {
-    place(x, scale);
-    best = problem_.merit(x);
-    if (best < start) break;
-    const double bend = best - start + squared * scale;
-    const double wanted = bend > 0 && std::isfinite(bend) ? 0.5 * squared * scale * scale / bend : 0;
-    scale = std::clamp(wanted, 0.1 * scale, 0.5 * scale);
-  }
-  if (!(best < start)) return false;
-
-  for (int growths = 0; growths < most_growths; ++growths) {
-    // The parabola through the merit and slope at 0 and the merit here.
-    const double bend = best - start + squared * scale;
-    const double optimum = bend > 0 ? 0.5 * squared * scale * scale / bend : HUGE_VAL;
-    const bool farther = optimum > growth * scale && growth * scale < limit;
-    const double refined = std::min({optimum, growth * scale, limit});
-    if (std::abs(refined - scale) < 0.02 * scale) return true;
-    place(x, refined);
-    const double merit = problem_.merit(x);
-    if (!(merit < best)) {
-      place(x, scale);
-      return true;
+// Leaves x at the accepted scale. From the last one it is doubled as long as that lowers the merit, or halved
+// until it does; then comes the parabola through the merits at 0, at the best scale and at twice that.
+bool Descent::search(std::span<Vec3> x, double start, double& scale, double limit) {
+  const auto merit_at = [&](double trial) {
+    place(x, trial);
+    return problem_.merit(x);
+  };
+  double here = merit_at(scale);
+  double twice = HUGE_VAL;
+  if (here < start) {
+    for (int doubling = 0; doubling < most_doublings; ++doubling) {
+      twice = merit_at(2 * scale);
+      if (!(twice < here) || 2 * scale > limit) break;
+      scale *= 2;
+      here = twice;
     }
-    scale = refined;
-    best = merit;
-    if (!farther) return true;
+  } else {
+    for (int halving = 0; !(here < start); ++halving) {
+      if (halving == most_halvings) return false;
+      twice = here;
+      scale /= 2;
+      here = merit_at(scale);
+    }
+  }
+  const double bend = start - 2 * here + twice;
+  double optimum = scale;
+  if (std::isfinite(bend) && bend > 0) optimum = 0.5 * scale * (3 * start - 4 * here + twice) / bend;
+  optimum = std::min(optimum, limit);
+  if (optimum == scale || !(merit_at(optimum) < start)) {
+    place(x, scale);
+  } else {
+    scale = optimum;
   }
   return true;
 }

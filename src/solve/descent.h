@@ -19,10 +19,11 @@ struct DescentStep {
 
 // Makes one descent step after another with the same work arrays.
 //
-// The line search looks at the merit function energy - sum pressure * (volume - target) along the line: its
-// slope at 0 is known, so one trial at the last scale gives a parabola and its minimum the step. The step is
-// taken if the merit then lies below its value at 0, else it is shortened. When nothing lowers the merit,
-// positions are left as they were.
+// The line search is that of Surface Evolver, whose `g` this is: the scale of the step before is doubled as
+// long as the energy falls, or halved until it does, and the step goes to the lowest point of the parabola
+// through the energies at 0, there and at twice that. Volumes are projected out of the direction; what the
+// trials still change of them counts as pressure * volume, and is restored when the step has been made (to
+// rounding; Evolver leaves a little). When nothing lowers the energy, positions are left as they were.
 //
 // Conjugate directions (E. Polak and G. Ribiere's, which begin anew by themselves where they lose their
 // worth) bend each force by the last direction; Evolver's `U`.
@@ -38,7 +39,7 @@ class Descent {
 
  private:
   void place(std::span<Vec3> x, double scale) const;
-  bool search(std::span<Vec3> x, double start, double squared, double& scale, double limit);
+  bool search(std::span<Vec3> x, double start, double& scale, double limit);
   double conjugate(double squared);
   DescentStep finish(std::span<Vec3> x, double scale, double squared, double start);
 
