@@ -51,7 +51,7 @@ class Methods : public testing::TestWithParam<Method> {};
 TEST_P(Methods, GradientsAgreeWithDifferences) {
   const scene::Scene scene = scene_with(GetParam());
   const std::vector<Vec3> x = positions_of(scene);
-  const QuantitySum sum(scene, scene.quantities[0], x);
+  const QuantitySum sum(scene, scene.quantities[0], x, {});
   std::vector<Vec3> gradient(x.size());
   const double value = sum.add_gradient(x, 0, 1, gradient);
   EXPECT_NEAR(value, sum.value(x, 0), 1e-13 * (1 + std::abs(value)));
@@ -77,7 +77,7 @@ class Blocks : public HessianSink {
 TEST_P(Methods, HessiansAgreeWithDifferences) {
   const scene::Scene scene = scene_with(GetParam());
   std::vector<Vec3> x = positions_of(scene);
-  const QuantitySum sum(scene, scene.quantities[0], x);
+  const QuantitySum sum(scene, scene.quantities[0], x, {});
   if (!sum.has_hessian()) GTEST_SKIP() << "it has no second derivatives";
   Blocks blocks(x.size());
   sum.add_hessian(x, 0, 1, blocks);
