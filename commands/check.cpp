@@ -1,5 +1,6 @@
 #include "film/check.h"
 
+#include "film/intersections.h"
 #include "session/session.h"
 
 namespace lamella::session::commands {
@@ -11,6 +12,16 @@ void run(Session& session) {
   std::vector<text::Diagnostic> findings;
   for (const std::string& finding : film::check(film))
     findings.push_back({text::Severity::error, {}, finding, {}, {}});
+  if (findings.empty()) {
+    for (const auto& [a, b] : film::self_intersections(film)) {
+      findings.push_back(
+          {text::Severity::error,
+           {},
+           fmt::format("facets {} and {} pass through one another, or touch", film.number(a), film.number(b)),
+           {},
+           {}});
+    }
+  }
   session.counter("check_count") = static_cast<double>(findings.size());
   if (!findings.empty()) throw text::Error(std::move(findings));
   // A body that its films do not close is lawful, so what it does to the labels is only told.

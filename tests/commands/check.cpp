@@ -32,6 +32,14 @@ TEST(Check, TellsOfLabelsThatDoNotClose) {
   EXPECT_TRUE(contains(told, "Checks completed.\n"));
 }
 
+TEST(Check, FindsFilmsThatPassThroughOneAnother) {
+  Trial trial("cube.fe");
+  trial.out("refine; check");
+  const std::string messages =
+      trial.failure("set vertex[1] x 3; set vertex[1] y 0.3; set vertex[1] z 0.4; check");
+  EXPECT_TRUE(contains(messages, "pass through one another"));
+}
+
 TEST(Check, TakesNothing) {
   Trial trial("cube.fe");
   EXPECT_TRUE(
