@@ -1,4 +1,5 @@
 #include "datafile/write.h"
+#include "language/letters.h"
 #include "session/listing.h"
 #include "session/session.h"
 
@@ -28,7 +29,9 @@ void list_variables(Session& session) {
 
 void list_procedures(Session& session) {
   for (const auto& [key, procedure] : session.scene().procedures) {
-    if (procedure.parameters.empty() && !procedure.returns_value) {
+    if (const std::string_view letter = language::letter_of(key); !letter.empty()) {
+      session.print("{} :::= {}\n", letter, procedure.source);
+    } else if (procedure.parameters.empty() && !procedure.returns_value) {
       session.print("{} := {}\n", procedure.name, procedure.source);
     } else {
       session.print("{} {}({}) {}\n", procedure.returns_value ? "function real" : "procedure", procedure.name,

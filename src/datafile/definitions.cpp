@@ -158,6 +158,46 @@ void read_attribute(Reading& reading, film::ElementKind kind) {
   if (!again) columns.push_back(declared_column(kind, key, integer, std::move(shape)));
 }
 
+// {1, 2} or {{1, 2}, {3, 4}}, over as many lines as it takes. Rows that end early leave the rest 0.
+void read_array_values(Reading& reading, language::VariableId id, const std::vector<int>& shape) {
+  TokenSource& tokens = reading.tokens;
+  while (tokens.peek().is(TokenKind::newline)) tokens.take();
+  const text::Place opener = tokens.peek().place;
+  if (!tokens.peek().is_symbol("{"))
+    throw text::Error(opener, "the values of an array stand in braces", "write = {1, 2, 3}");
+  std::vector<std::size_t> below(shape.size() + 1, 1);  // numbers in one item, this many braces deep
+  for (std::size_t d = shape.size(); d-- > 0;) below[d] = below[d + 1] * static_cast<std::size_t>(shape[d]);
+  std::vector<std::size_t> ends;  // of the open braces
+  std::size_t at = 0;
+  do {
+    const Token& token = tokens.peek();
+    if (token.is(TokenKind::newline)) {
+      tokens.take();
+    } else if (token.is_symbol("{") && ends.size() < shape.size()) {
+      ends.push_back(at + below[ends.size()]);
+      tokens.take();
+    } else if (token.is_symbol("}")) {
+      at = ends.back();
+      ends.pop_back();
+      tokens.take();
+    } else {
+      const text::Place place = token.place;
+      const double value = top_value(reading, "a number, or a brace, is missing in the values of an array");
+      if (at >= ends.back()) throw text::Error(place, "these are more values than the array has room for");
+      reading.scene.variables.set_component(id, at++, value);
+    }
+  } while (!ends.empty());
+}
+
+void read_array(Reading& reading, const Token& name) {
+  const std::vector<int> shape = read_shape(reading);
+  set_variable(reading, name, 0.0, false);
+  const std::optional<language::VariableId> id = reading.scene.variables.find_id(name.text);
+  if (!id) throw text::Error(name.place, fmt::format("\"{}\" cannot be an array", name.text));
+  reading.scene.variables.set_shape(*id, shape);
+  if (take_equals(reading)) read_array_values(reading, *id, shape);
+}
+
 void read_variable(Reading& reading) {
   TokenSource& tokens = reading.tokens;
   const Token name = take_new_name(reading, "a variable");
@@ -169,8 +209,8 @@ void read_variable(Reading& reading) {
                       "write real, integer or string");
   }
   if (tokens.peek().is_symbol("[")) {
-    reading.refuse(name.place, fmt::format("{}[]", name.text), "arrays of variables");
-    skip_declaration(tokens);
+    if (string) throw text::Error(type.place, "arrays hold numbers", "write real or integer");
+    read_array(reading, name);
     return;
   }
   language::Value value = string ? language::Value(std::string{}) : language::Value(0.0);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "datafile/write_constraints.h"
+#include "language/letters.h"
 
 namespace lamella::datafile {
 
@@ -81,10 +82,15 @@ void write_variables(std::string& out, const scene::Scene& scene) {
 void write_procedures(std::string& out, const scene::Scene& scene) {
   for (const auto& [key, procedure] : scene.procedures) {
     const std::string head = heading(procedure);
+    if (!language::letter_of(key).empty()) continue;
     out += head.empty() ? fmt::format("{} := {{}}\n", procedure.name) : fmt::format("{};\n", head);
   }
   for (const auto& [key, procedure] : scene.procedures) {
     if (procedure.source.empty()) continue;
+    if (const std::string_view letter = language::letter_of(key); !letter.empty()) {
+      out += fmt::format("{} :::= {}\n", letter, procedure.source);
+      continue;
+    }
     const std::string head = heading(procedure);
     out +=
         fmt::format("{} {}\n", head.empty() ? fmt::format("{} :=", procedure.name) : head, procedure.source);

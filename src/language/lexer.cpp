@@ -202,6 +202,8 @@ Token Lexer::next() {
     result = token(TokenKind::word, begin);
   } else if (c == '"') {
     result = string();
+  } else if (mode_ == LexerMode::command && c == '\'' && is_letter(byte(at_ + 1)) && byte(at_ + 2) == '\'') {
+    result = quoted_letter();
   } else {
     result = symbol();
   }
@@ -265,6 +267,16 @@ Token Lexer::string() {
   ++at_;
   Token result = token(TokenKind::string, begin);
   result.content = std::move(content);
+  return result;
+}
+
+// A command of one letter with the meaning that it had at first.
+Token Lexer::quoted_letter() {
+  const std::uint32_t begin = at_;
+  at_ += 3;
+  Token result = token(TokenKind::word, begin);
+  result.content = std::string(result.text);
+  result.text = result.text.substr(1, 1);
   return result;
 }
 

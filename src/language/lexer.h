@@ -57,6 +57,7 @@ class Lexer {
   text::Place place(std::uint32_t begin, std::uint32_t length) const { return {source_, begin, length}; }
   Token number();
   Token string();
+  Token quoted_letter();
   Token symbol();
   [[noreturn]] void refuse_byte();
 

@@ -40,6 +40,8 @@ StatementPointer StatementParser::assignment() {
   if (plain && scope_.locals().find(name.text) == nullptr) {
     const std::uint32_t mark = tokens_.mark();
     tokens_.take();
+    const bool letter = permanent && name.text.size() == 1 && scope_.is_command(name.text);
+    if (letter && (at_command_end(tokens_) || tokens_.peek().is_symbol("{"))) return letter_definition(name);
     skip_lines();
     const bool block = tokens_.peek().is_symbol("{") && !at_array_literal();
     if (block || value_is_command()) return procedure_definition(name);

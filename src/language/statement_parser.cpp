@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "language/functions.h"
+#include "language/letters.h"
 #include "text/suggest.h"
 
 namespace lamella::language {
@@ -275,6 +276,7 @@ StatementPointer StatementParser::word_statement() {
   tokens_.peek();
   const std::string_view after = tokens_.text_after_next();
   if (begins_assignment(after)) return assignment();
+  if (is_redefined_letter()) return procedure_call();
   const bool dotted = tokens_.peek(1).is_symbol(".") && !scope_.is_command(tokens_.peek().text);
   if (expressions().at_elements() || dotted) return attribute_assignment();
   if (after.starts_with("[") && scope_.variable(tokens_.peek().text)) return array_assignment();
@@ -303,6 +305,11 @@ StatementPointer StatementParser::word_statement() {
   for (const std::string_view keyword : keywords) known.emplace_back(keyword);
   throw text::Error(word.place, fmt::format("there is no command \"{}\"", word.text),
                     text::did_you_mean(word.text, known));
+}
+
+bool StatementParser::is_redefined_letter() {
+  const Token& word = tokens_.peek();
+  return word.text.size() == 1 && word.content.empty() && scope_.procedure(letter_name(word.text));
 }
 
 // The command goes on to where any would end.

@@ -61,6 +61,8 @@ class StatementParser {
   StatementPointer array_assignment();
   bool at_array_literal();
   bool at_named_setting();
+  bool is_redefined_letter();
+  StatementPointer letter_definition(const Token& name);
   bool at_global_definition();
   StatementPointer named_setting();
   StatementPointer refused(std::string_view reason);

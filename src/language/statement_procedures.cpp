@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "language/letters.h"
 #include "language/statement_parser.h"
 #include "text/suggest.h"
 
@@ -93,10 +94,24 @@ StatementPointer StatementParser::declared_procedure() {
   return make_statement(std::move(result), name.place);
 }
 
+// r :::= { commands }, or r :::= alone, which gives the letter its first meaning again.
+StatementPointer StatementParser::letter_definition(const Token& name) {
+  ProcedureDefinition result;
+  result.procedure.name = letter_name(name.text);
+  if (!at_command_end(tokens_)) {
+    skip_lines();
+    result.procedure.body = body({}, result.procedure.source);
+    scope_.promise_procedure(result.procedure.name, 0, false);
+  }
+  return make_statement(std::move(result), name.place);
+}
+
 StatementPointer StatementParser::procedure_call() {
+  const bool letter = is_redefined_letter();
   const Token name = tokens_.take();
-  const std::size_t wanted = *scope_.procedure(name.text);
-  ProcedureCall result{text::lower(name.text), {}};
+  const std::string called = letter ? letter_name(name.text) : text::lower(name.text);
+  const std::size_t wanted = *scope_.procedure(called);
+  ProcedureCall result{text::lower(called), {}};
   if (tokens_.peek().is_symbol("(")) {
     tokens_.take();
     const Brackets brackets(tokens_);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "language/letters.h"
 #include "session/argument_parser.h"
 #include "session/internal_variables.h"
 #include "session/interrupt.h"
@@ -123,6 +124,10 @@ void Machine::define(const language::Procedure& procedure) {
   const std::string key = text::lower(procedure.name);
   language::Procedures& procedures = session_.scene().procedures;
   const auto at = procedures.find(key);
+  if (!procedure.body && !language::letter_of(key).empty()) {
+    procedures.erase(key);
+    return;
+  }
   // A declaration does not take away what is defined.
   if (!procedure.body && at != procedures.end() && at->second.body) return;
   procedures[key] = procedure;

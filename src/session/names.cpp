@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/evaluate.h"
+#include "language/letters.h"
 #include "session/argument_parser.h"
 #include "session/internal_variables.h"
 #include "session/quantity_parts.h"
@@ -130,7 +131,9 @@ void Names::collect_statement_words(std::vector<std::string>& into) const {
     into.push_back(command->name);
     into.insert(into.end(), command->aliases.begin(), command->aliases.end());
   }
-  for (const auto& [key, procedure] : scene_.procedures) into.push_back(procedure.name);
+  for (const auto& [key, procedure] : scene_.procedures) {
+    if (language::letter_of(key).empty()) into.push_back(procedure.name);
+  }
 }
 
 void Names::forget_promises() {

@@ -398,6 +398,19 @@ TEST(Commands, OfTheTopSectionAreKept) {
   EXPECT_TRUE(read(triangle).read_section.empty());
 }
 
+TEST(Variables, ArraysHoldWhatTheirBracesSay) {
+  const auto result =
+      read("define aa real[2][3] =\n{{1, 2, 3},\n {4}}\ndefine bb integer [4]\n" + std::string(triangle));
+  const language::Variable* const aa = result.scene.variables.find("aa");
+  ASSERT_NE(aa, nullptr);
+  EXPECT_EQ(aa->array.shape, (std::vector<int>{2, 3}));
+  EXPECT_EQ(aa->array.values, (std::vector<double>{1, 2, 3, 4, 0, 0}));
+  EXPECT_EQ(result.scene.variables.find("bb")->array.values, std::vector<double>(4, 0.0));
+  EXPECT_EQ(complaints("define aa real[2] = {1, 2, 3}\n" + std::string(triangle)),
+            "these are more values than the array has room for\n");
+  EXPECT_EQ(complaints("define aa string[2]\n" + std::string(triangle)), "arrays hold numbers\n");
+}
+
 TEST(Unsupported, FeaturesAreToldOnceEach) {
   EXPECT_EQ(
       complaints(

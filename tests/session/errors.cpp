@@ -50,7 +50,7 @@ TEST(Errors, AreShownWhereTheyStandWithWhatWouldBeRight) {
       {"print sizeof(", "1:14", "expected a value"},
       {"show_me := 3; print shwo_me", "1:21", "show_me"},
       {"set vertex fixd", "1:12", "did you mean \"fixed\"?"},
-      {"r ::= { g }", "1:1", "give procedures longer names"},
+      {"r := { g }", "1:1", "give procedures longer names"},
       {"print $", "1:7", "unexpected character"},
       {"if 1 > \"a\" then print 1", "1:8", "a number is needed"},
       {"vc 1 -1", "1:6", "-1"},

@@ -74,6 +74,25 @@ TEST(EvolverWords, LettersNeedTheirArguments) {
   }
 }
 
+TEST(EvolverWords, LettersCanBeRedefined) {
+  Trial trial("cube.fe");
+  trial.out("n := 0; r :::= { n := n + 1; 'r' }; r; r 2");
+  EXPECT_EQ(trial.number("n"), 3);
+  EXPECT_EQ(trial.number("facet_count"), 24 * 64);
+  trial.out("undo 2\n'r'");
+  EXPECT_EQ(trial.number("n"), 0);
+  EXPECT_EQ(trial.number("facet_count"), 96);
+  EXPECT_TRUE(contains(trial.out("list procedures"), "r :::= { n := n + 1; 'r' }\n"));
+  trial.out("V :::= { print 5 }");
+  EXPECT_EQ(trial.out("V"), "5\n");
+  EXPECT_EQ(trial.out("V :::=\nV\nprint is_defined(\"V\")"), "1\n");
+  const Folder folder;
+  trial.out("save \"" + (folder / "kept.fe") + "\"");
+  EXPECT_TRUE(contains(file_content(folder / "kept.fe"), "\nr :::= { n := n + 1; 'r' }\n"));
+  trial.out("load \"" + datafile("cube.fe") + "\"; r");
+  EXPECT_EQ(trial.number("facet_count"), 96);
+}
+
 TEST(EvolverWords, PermanentVariablesOutliveTheScene) {
   Trial trial("cube.fe");
   trial.out("kept ::= 3; lost := 4; kept2 :::= \"text\"; load \"" + datafile("catenoid.fe") + "\"");
