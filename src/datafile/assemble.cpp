@@ -101,8 +101,7 @@ void Assembler::place_centres() {
     Vec3 sum;
     for (const SignedEdge e : edges) {
       Vec3 at = film_.position(resolved_.tail(e));
-      if (film_.periodic() && !corners.empty())
-        at = corners.back() + film_.vector(edges[corners.size() - 1]);
+      if (film_.periodic() && !corners.empty()) at = corners.back() + film_.vector(edges[corners.size() - 1]);
       corners.push_back(at);
       sum += at;
     }
@@ -181,7 +180,8 @@ void Assembler::add_cells() {
   film::Columns& columns = film_.columns(ElementKind::edge);
   film::Column& added = columns.add(std::move(column));
   for (std::uint32_t row = 0; row < cells_of.size(); ++row) {
-    for (std::size_t k = 0; k < cells_of[row].size(); ++k) added.set(row, static_cast<int>(k), cells_of[row][k]);
+    for (std::size_t k = 0; k < cells_of[row].size(); ++k)
+      added.set(row, static_cast<int>(k), cells_of[row][k]);
   }
   if (columns.find("tension") == nullptr) columns.add(film::real_column("tension", 1));
 }

@@ -247,8 +247,9 @@ void ListReader::coordinates() {
   if (line_.at_number()) {
     const text::Place place = line_.place(line_.here());
     const bool commas = text::line_of(place).find(',') != std::string_view::npos;
-    throw text::Error(place, fmt::format("vertex {} has more than {} coordinates", id, dimension() == 2 ? "two" : "three"),
-                      commas ? "commas stand between numbers; decimals have a point" : "");
+    throw text::Error(
+        place, fmt::format("vertex {} has more than {} coordinates", id, dimension() == 2 ? "two" : "three"),
+        commas ? "commas stand between numbers; decimals have a point" : "");
   }
   rows().positions.back() = position;
 }
@@ -257,8 +258,7 @@ void ListReader::refuse_coordinates() {
   throw text::Error(
       line_.place(end_of_coordinates_),
       fmt::format("vertex {} has {}, and needs {}", rows().of(ElementKind::vertex).ids.back(),
-                  few[static_cast<std::size_t>(rows().coordinates)],
-                                dimension() == 2 ? "two" : "three"));
+                  few[static_cast<std::size_t>(rows().coordinates)], dimension() == 2 ? "two" : "three"));
 }
 
 // After the attributes of a vertex.

@@ -25,9 +25,9 @@ struct Reading {
   Rows rows;
   std::vector<text::Place> procedures;  // of the top section, from their first word to the closing brace
   std::optional<std::array<film::Vec3, 3>> periods;  // of a periodic film
-  text::Place dimension_place;  // where that of space was given
+  text::Place dimension_place;                       // where that of space was given
   bool keep_originals = false;                       // elements keep their numbers
-  bool keep_macros = false;             // macros stay in force in the commands after `read`
+  bool keep_macros = false;                          // macros stay in force in the commands after `read`
   std::map<std::string, text::Place, std::less<>> defined;  // where each variable was, by lower-case name
   // Numbers of constraints and boundaries that have names, in lower case.
   std::map<std::string, int, std::less<>> constraint_names;

@@ -85,8 +85,8 @@ struct Rows {
   std::vector<std::array<std::uint32_t, 2>> edge_ends;  // numbers of vertices
   std::vector<std::array<Spot, 2>> edge_end_spots;
   std::vector<film::Wrap> edge_wraps;  // in a periodic film
-  SignedLists loops;       // of the faces: signed edges
-  SignedLists body_faces;  // signed faces
+  SignedLists loops;                   // of the faces: signed edges
+  SignedLists body_faces;              // signed faces
   std::vector<BodyRow> bodies;
 
   film::Wrap wrap_of(film::SignedEdge e) const {

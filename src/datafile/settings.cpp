@@ -78,7 +78,8 @@ void read_periods(Reading& reading, const Token& word) {
   for (int i = 0; i < dimension; ++i) {
     film::Vec3& period = periods[static_cast<std::size_t>(i)];
     for (int axis = 0; axis < dimension; ++axis)
-      period[axis] = top_value(reading, fmt::format("\"{}\" needs as many vectors as space has dimensions", word.text));
+      period[axis] =
+          top_value(reading, fmt::format("\"{}\" needs as many vectors as space has dimensions", word.text));
   }
   const double cell = std::abs(dot(periods[0], cross(periods[1], periods[2])));
   if (!(cell > 1e-12 * length(periods[0]) * length(periods[1]) * length(periods[2])))

@@ -97,7 +97,7 @@ double AttributeWriter::finite(const Column& column, std::uint32_t row, int comp
 void AttributeWriter::write_known(std::string& out, const Known& known, std::uint32_t row,
                                   std::uint32_t number) const {
   const double value = finite(*known.column, row, 0, number);
-  const double blank = known.known->name == "original" ? number : known.known->blank;
+  const double blank = known.known->name == "original" ? number : known.column->blank;
   if (value == blank && std::signbit(value) == std::signbit(blank)) return;
   out += ' ';
   out += known.known->name;

@@ -23,8 +23,8 @@ struct EdgeHessian {
   film::Mat3 from_to;
 };
 
-// An edge that a field is integrated along, so many times (negative: against its direction). Or, in films of one
-// dimension, a function of which the value at the tail is taken from that at the head.
+// An edge that a field is integrated along, so many times (negative: against its direction). Or, in films of
+// one dimension, a function of which the value at the tail is taken from that at the head.
 struct FieldEdge {
   const scene::EdgeIntegrand* field = nullptr;
   film::Vertex from;

@@ -124,8 +124,8 @@ std::vector<FixedRow> FilmEnergy::fixed_rows() const {
 
 double FilmEnergy::size_of_fixed(std::size_t i, std::span<const Vec3> positions) const {
   std::vector<Vec3> extended;
-  return fixed_sums_[i].size(
-      unfolding_.empty() ? positions : unfolding_.extend(positions, extended), scene_.time);
+  return fixed_sums_[i].size(unfolding_.empty() ? positions : unfolding_.extend(positions, extended),
+                             scene_.time);
 }
 
 void FilmEnergy::add_quantity_hessians(std::span<const Vec3> rows, std::span<const double> multipliers,

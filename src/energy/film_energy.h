@@ -36,7 +36,9 @@ class FilmEnergy {
 
   // Volume of region r at the last call, volconst included; [0] is meaningless.
   std::span<const double> volumes() const { return volumes_; }
-  double area() const { return area_; }  // plain area at the last call; length where films are of one dimension
+  double area() const {
+    return area_;
+  }  // plain area at the last call; length where films are of one dimension
   std::span<VertexLine> lines() { return {lines_.data(), vertex_count_}; }
   std::span<const VertexLine> lines() const { return {lines_.data(), vertex_count_}; }
   std::size_t vertex_count() const { return vertex_count_; }
@@ -117,8 +119,9 @@ class FilmEnergy {
   SweepInput input_;
   std::size_t vertex_count_ = 0;
   film::Unfolding unfolding_;
-  std::vector<Vec3> extended_;      // positions with those of images
-  std::vector<double> whole_cells_;  // of each region's volume in a periodic film: see energy/periodic_volume.h
+  std::vector<Vec3> extended_;  // positions with those of images
+  std::vector<double>
+      whole_cells_;  // of each region's volume in a periodic film: see energy/periodic_volume.h
   OpenVolume open_volume_ = OpenVolume::above_plane;
   VertexConstraints constraints_;
   std::vector<FieldEdge> energy_edges_;

@@ -103,7 +103,8 @@ QuantitySum::QuantitySum(const scene::Scene& scene, const scene::Quantity& quant
     : edge_order_(scene.edge_integral_order),
       facet_order_(scene.facet_integral_order),
       constant_(quantity.modulus * quantity.constant) {
-  for (const MethodInstance& instance : quantity.methods) collect(scene, quantity, instance, positions, unfolding);
+  for (const MethodInstance& instance : quantity.methods)
+    collect(scene, quantity, instance, positions, unfolding);
 }
 
 void QuantitySum::collect(const scene::Scene& scene, const scene::Quantity& quantity,
@@ -130,8 +131,8 @@ void QuantitySum::collect(const scene::Scene& scene, const scene::Quantity& quan
         stars_.back().star.mirrors = mirrors_at(scene, row, positions[row]);
       continue;
     }
-    part.elements.push_back(
-        {corners_of(scene.film, unfolding, kind, row), factor, static_cast<std::uint32_t>(part.attributes.size())});
+    part.elements.push_back({corners_of(scene.film, unfolding, kind, row), factor,
+                             static_cast<std::uint32_t>(part.attributes.size())});
     for (const language::Formula* formula :
          {&instance.scalar, &instance.field[0], &instance.field[1], &instance.field[2]}) {
       const std::vector<double> values = scene::attributes_of(scene.film, *formula, kind, row);

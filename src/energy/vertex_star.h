@@ -17,7 +17,8 @@ using film::Vec3;
 // first of them as far as that can be.
 struct VertexStar {
   std::uint32_t vertex = 0;
-  std::vector<std::array<std::uint32_t, 3>> triangles;  // their corners: rows of the unfolding, if there is one
+  std::vector<std::array<std::uint32_t, 3>>
+      triangles;  // their corners: rows of the unfolding, if there is one
   // Orthonormal directions that are taken out of gradients at the vertex: mirrors that the film continues
   // behind.
   std::vector<Vec3> mirrors;

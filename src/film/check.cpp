@@ -134,7 +134,8 @@ void check_edge_rings(const Film& film, Findings& findings) {
     const Edge e(i);
     if (!film.alive(e)) continue;
     // In a periodic film an edge may lead to the image of its own end.
-    if (film.ends(e)[0] == film.ends(e)[1] && !film.periodic()) findings.add("edge {} ends where it begins", film.number(e));
+    if (film.ends(e)[0] == film.ends(e)[1] && !film.periodic())
+      findings.add("edge {} ends where it begins", film.number(e));
     const Side first = film.first_side(e);
     if (!first.valid()) continue;
     Side s = first;

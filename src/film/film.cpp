@@ -192,9 +192,7 @@ void Film::remove_side(Side s, Edge e) {
 }
 
 Vec3 apex_direction(const Film& film, Side s) {
-  const auto edge_at = [&](int corner) {
-    return film.edges(s.triangle())[static_cast<std::size_t>(corner)];
-  };
+  const auto edge_at = [&](int corner) { return film.edges(s.triangle())[static_cast<std::size_t>(corner)]; };
   return film.edge_of(s).reversed() ? film.vector(edge_at(next_corner(s.corner())))
                                     : -film.vector(edge_at(previous_corner(s.corner())));
 }

@@ -30,8 +30,7 @@ class Lattice {
  public:
   explicit Lattice(const std::array<Vec3, 3>& periods) : periods_(periods) {
     const double cell = volume_with_sign();
-    for (std::size_t i = 0; i < 3; ++i)
-      dual_[i] = cross(periods[(i + 1) % 3], periods[(i + 2) % 3]) / cell;
+    for (std::size_t i = 0; i < 3; ++i) dual_[i] = cross(periods[(i + 1) % 3], periods[(i + 2) % 3]) / cell;
   }
 
   const std::array<Vec3, 3>& periods() const { return periods_; }

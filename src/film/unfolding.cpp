@@ -145,8 +145,8 @@ std::span<const Vec3> Unfolding::extend(std::span<const Vec3> positions, std::ve
   return into;
 }
 
-// A sum of det(a,b,c)/6 over triangles that are moved by m grows by m.A/3, A the vector area. Along a seam with
-// gap m it varies by m.(dx x v)/3 more than the film's flux when points move by v. That is taken back by
+// A sum of det(a,b,c)/6 over triangles that are moved by m grows by m.A/3, A the vector area. Along a seam
+// with gap m it varies by m.(dx x v)/3 more than the film's flux when points move by v. That is taken back by
 // m.(p x q)/6 for each of its edges, whose own variation leaves (m.(p x v)/6) at its ends: the gaps around a
 // vertex sum to zero, so only the periods by which p is away from its vertex are left of that, and they are
 // subtracted.
@@ -161,8 +161,8 @@ void Unfolding::add_volumes(std::span<const Vec3> x, const Vec3& origin, std::sp
   for (const Seam& seam : seams_) {
     const Vec3 from = x[seam.from.index] + seam.offset - origin;
     const Vec3 to = x[seam.to.index] + seam.offset - origin;
-    const Vec3 sum =
-        cross(from, to) - cross(to - own(seam.to), own(seam.to)) + cross(from - own(seam.from), own(seam.from));
+    const Vec3 sum = cross(from, to) - cross(to - own(seam.to), own(seam.to)) +
+                     cross(from - own(seam.from), own(seam.from));
     volumes[seam.region.index] += dot(seam.gap, sum) / 6;
   }
 }

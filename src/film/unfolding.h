@@ -1,8 +1,8 @@
 // A periodic film as a plain complex in space, for sweeps that know nothing of periods.
 //
 // Each triangle lies where its first corner is, each edge where its tail is. What they reach beyond their
-// cell is a row of its own, the image of a vertex; rows below `vertices` are the vertices themselves. Before a
-// sweep `extend` places the images, after it `fold` gives what they have collected to their vertices.
+// cell is a row of its own, the image of a vertex; rows below `vertices` are the vertices themselves. Before
+// a sweep `extend` places the images, after it `fold` gives what they have collected to their vertices.
 #pragma once
 
 #include <span>
@@ -60,8 +60,9 @@ class Unfolding {
   // positions. They come out up to a multiple of the cell's volume.
   void add_volumes(std::span<const Vec3> extended, const Vec3& origin, std::span<double> volumes) const;
 
-  // What brings the boundary of each region into one piece, as far as that can be: by how many periods to move
-  // face 2t, the triangle seen from behind, and 2t + 1, seen from the front. Zero where no region looks at it.
+  // What brings the boundary of each region into one piece, as far as that can be: by how many periods to
+  // move face 2t, the triangle seen from behind, and 2t + 1, seen from the front. Zero where no region looks
+  // at it.
   static std::vector<Wrap> face_offsets(const Film& film);
 
  private:

@@ -79,15 +79,16 @@ StatementPointer StatementParser::named_setting() {
   return make_statement(std::move(result), place);
 }
 
-// Whether what follows `name :=` is a command, as in `gg := g 10`: its word means no value, or is given one as
-// in `few := transforms off`.
+// Whether what follows `name :=` is a command, as in `gg := g 10`: its word means no value, or is given one
+// as in `few := transforms off`.
 bool StatementParser::value_is_command() {
   const Token& token = tokens_.peek();
   if (!token.is(TokenKind::word) || !scope_.is_command(token.text)) return false;
   const std::string_view after = tokens_.text_after_next();
   const auto follows = [&](std::string_view word) {
     const std::string_view rest = after.substr(std::min(word.size(), after.size()));
-    return after.starts_with(word) && (rest.empty() || std::isalnum(static_cast<unsigned char>(rest[0])) == 0);
+    return after.starts_with(word) &&
+           (rest.empty() || std::isalnum(static_cast<unsigned char>(rest[0])) == 0);
   };
   if (after.starts_with("\"") || follows("on") || follows("off")) return true;
   const bool value = scope_.variable(token.text) || scope_.internal(token.text) ||

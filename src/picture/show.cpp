@@ -8,11 +8,11 @@
 
 #include "picture/drawing.h"
 #include "picture/explode.h"
-#include "picture/unwrap.h"
 #include "picture/light.h"
 #include "picture/line_drawing.h"
 #include "picture/page.h"
 #include "picture/png.h"
+#include "picture/unwrap.h"
 #include "text/error.h"
 #include "text/whole_file.h"
 

@@ -109,8 +109,7 @@ class Unwrapper {
     if (added) {
       const auto& [tail, head] = film_.ends(e);
       const Vertex from = vertex(tail, place);
-      at->second =
-          result_.scene.film.add_edge(from, vertex(head, place + film_.wrap(SignedEdge(e, false))));
+      at->second = result_.scene.film.add_edge(from, vertex(head, place + film_.wrap(SignedEdge(e, false))));
       rows_.edges.push_back(e.index);
     }
     return at->second;

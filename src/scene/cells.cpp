@@ -34,13 +34,16 @@ std::vector<std::vector<film::SignedEdge>> loops_of_cells(const Scene& scene) {
     if (!film.alive(film::Edge(row))) continue;
     for (int k = 0; k < column->width; ++k) {
       const int cell = static_cast<int>(column->value(row, k));
-      if (cell != 0) loops[static_cast<std::size_t>(std::abs(cell)) - 1].emplace_back(film::Edge(row), cell < 0);
+      if (cell != 0)
+        loops[static_cast<std::size_t>(std::abs(cell)) - 1].emplace_back(film::Edge(row), cell < 0);
     }
   }
   for (std::vector<film::SignedEdge>& loop : loops) {
     for (auto at = loop.begin(); at != loop.end() && at + 1 != loop.end(); ++at) {
-      const auto next = std::find_if(at + 1, loop.end(),
-                                     [&](film::SignedEdge e) { return film.tail(e) == film.head(*at); });
+      const auto follows = [&](film::SignedEdge e) { return film.tail(e) == film.head(*at); };
+      auto next =
+          std::find_if(at + 1, loop.end(), [&](film::SignedEdge e) { return follows(e) && e != -*at; });
+      if (next == loop.end()) next = std::find_if(at + 1, loop.end(), follows);
       if (next != loop.end()) std::iter_swap(at + 1, next);
     }
   }

@@ -85,7 +85,8 @@ void Problem::set_targets(const scene::Scene& scene) {
     const scene::Quantity& quantity = scene.quantities[energy_.fixed()[i - bodies]];
     const bool fixed = quantity.role == scene::QuantityRole::fixed;
     targets_[i] = fixed ? quantity.target : energy_.held_values()[i];
-    volume_scale_[i] = std::max({std::abs(targets_[i]), energy_.size_of_fixed(i - bodies, positions), 1e-300});
+    volume_scale_[i] =
+        std::max({std::abs(targets_[i]), energy_.size_of_fixed(i - bodies, positions), 1e-300});
   }
 }
 

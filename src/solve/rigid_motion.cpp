@@ -83,7 +83,8 @@ bool is_symmetry(Problem& problem, std::span<const Vec3> x, const std::vector<st
       problem.energy().constraints().violation(moved) > same * motion.extent)
     return false;
   const double energy = problem.energy().value(x);
-  const std::vector<double> held(problem.energy().held_values().begin(), problem.energy().held_values().end());
+  const std::vector<double> held(problem.energy().held_values().begin(),
+                                 problem.energy().held_values().end());
   if (!(std::abs(problem.energy().value(moved) - energy) < same * std::abs(energy))) return false;
   const std::size_t bodies = problem.energy().constrained().size();
   for (std::size_t i = 0; i < held.size(); ++i) {

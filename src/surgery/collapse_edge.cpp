@@ -114,7 +114,8 @@ void Collapser::bring_together() {
   const SignedEdge edge(edge_, film_.ends(edge_)[0] != kept_);
   film_.move_by_periods(gone_, film_.wrap(edge));
   film_.for_each_side(edge_, [&](Side s) {
-    const SignedEdge to_apex(film_.edges(s.triangle())[static_cast<std::size_t>(film::next_corner(s.corner()))]);
+    const SignedEdge to_apex(
+        film_.edges(s.triangle())[static_cast<std::size_t>(film::next_corner(s.corner()))]);
     film_.move_by_periods(film_.opposite(s), film_.wrap(to_apex));
   });
 }

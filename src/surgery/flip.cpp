@@ -57,7 +57,8 @@ std::optional<Diagonal> flippable(const Film& film, Edge edge) {
 }
 
 std::array<Vec3, 4> places(const Film& film, const Diagonal& d) {
-  if (!film.periodic()) return {film.position(d.p), film.position(d.q), film.position(d.r), film.position(d.w)};
+  if (!film.periodic())
+    return {film.position(d.p), film.position(d.q), film.position(d.r), film.position(d.w)};
   const Vec3 tail = film.position(film.ends(d.edge)[0]);
   const Vec3 head = tail + film.vector(d.edge);
   const bool along = !film.edge_of(d.first).reversed();

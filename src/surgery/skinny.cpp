@@ -41,8 +41,7 @@ std::uint32_t divide_skinny_facets(Film& film, double angle) {
     const Triangle t(i);
     if (!film.alive(t)) continue;
     const std::array<Vec3, 3> p = film.points(t);
-    if (energy::smallest_angle(p[0], p[1], p[2]) < angle)
-      longest.insert(longest_edge(film, t));
+    if (energy::smallest_angle(p[0], p[1], p[2]) < angle) longest.insert(longest_edge(film, t));
   }
   for (const Edge e : longest) split_edge(film, e);
   return static_cast<std::uint32_t>(longest.size());

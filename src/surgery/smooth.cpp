@@ -63,7 +63,8 @@ std::vector<Neighbour> neighbours_of(const Film& film, Vertex v) {
   film.for_each_end(v, [&](EdgeEnd end) {
     const Vertex other = film.head(end.outward());
     if (held && !is_held_alike(film, v, other)) return;
-    Neighbour neighbour{film.periodic() ? film.position(v) + film.vector(end.outward()) : film.position(other)};
+    Neighbour neighbour{film.periodic() ? film.position(v) + film.vector(end.outward())
+                                        : film.position(other)};
     film.for_each_side(end.edge(), [&](Side s) {
       ++neighbour.facets;
       neighbour.area += 0.5 * length(double_area(film, s.triangle()));

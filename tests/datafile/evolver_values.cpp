@@ -68,7 +68,7 @@ bool check_values(const Row& row) {
   const std::optional<scene::Scene> scene = load(row);
   if (!scene) return false;
   const std::vector<std::uint32_t> counts{scene->film.vertex_count(), scene->film.edge_count(),
-                                          scene->film.triangle_count(), body_count(*scene)};
+                                          scene::facet_count(*scene), body_count(*scene)};
   EXPECT_EQ(counts, row.counts);
   const energy::Measures measures = energy::measure(*scene);
   EXPECT_NEAR(measures.area, row.area, 1e-12 * row.area);

@@ -8,9 +8,8 @@ namespace lamella::test {
 inline double area(const scene::Scene& scene) {
   double sum = 0;
   for (std::uint32_t t = 0; t < scene.film.triangle_rows(); ++t) {
-    const auto& c = scene.film.corners(film::Triangle(t));
-    const film::Vec3 a = scene.film.position(c[0]);
-    sum += 0.5 * length(cross(scene.film.position(c[1]) - a, scene.film.position(c[2]) - a));
+    const auto [a, b, c] = scene.film.points(film::Triangle(t));
+    sum += 0.5 * length(cross(b - a, c - a));
   }
   return sum;
 }

@@ -412,12 +412,10 @@ TEST(Variables, ArraysHoldWhatTheirBracesSay) {
 }
 
 TEST(Unsupported, FeaturesAreToldOnceEach) {
-  EXPECT_EQ(
-      complaints(
-          "torus\nperiods\n1 0 0\n0 1 0\n0 0 1\nmetric\n1 0 0\n0 1 0\n0 0 1\nconstraint 1\nformula: x7\n"
-          "vertices\n1 3 boundary 1\n"),
-      "\"torus\" is not supported yet (periodic films)\n"
-      "\"metric\" is not supported yet (Riemannian metrics)\n");
+  EXPECT_EQ(complaints("diffusion 0.1\nmetric\n1 0 0\n0 1 0\n0 0 1\nconstraint 1\nformula: x7\n"
+                       "vertices\n1 3 boundary 1\n"),
+            "\"diffusion\" is not supported yet (diffusion of gas)\n"
+            "\"metric\" is not supported yet (Riemannian metrics)\n");
 }
 
 }  // namespace

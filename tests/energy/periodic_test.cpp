@@ -148,8 +148,8 @@ TEST_P(Periodic, GradientsAgreeWithDifferences) {
   const std::vector<Vec3> x(s.film.positions().begin(), s.film.positions().end());
   energy.gradient(x);
   const std::vector<VertexLine> lines(energy.lines().begin(), energy.lines().end());
-  const auto wanted =
-      test::gradient_by_differences(x, [&](const std::vector<Vec3>& y) { return energy.value(y); }, 1e-4);
+  const auto wanted = test::gradient_by_differences(
+      x, [&](const std::vector<Vec3>& y) { return energy.value(y); }, 1e-4);
   for (std::size_t v = 0; v < x.size(); ++v) EXPECT_LT(length(lines[v].gradient - wanted[v]), 1e-8) << v;
 
   energy.gradient(x);

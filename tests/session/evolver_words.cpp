@@ -134,14 +134,14 @@ TEST(EvolverWords, DatafilesLoadWithoutWhatFails) {
   const Folder folder;
   const std::string path =
       folder.write("some.fe", file_content(datafile("cube.fe")) +
-                                  "\nr\nnonsense 5; x := 1\npop edge[1]\nshow facets\n"
+                                  "\nr\nnonsense 5; x := 1\nritz(0, 3)\nshow facets\n"
                                   "broken := { g 5; nonsense }\ny := 2\nset vertex[99] x 1\n");
   Trial trial;
   trial.session().set_quiet(false);
   const Ran ran = trial.run("load \"" + path + "\"");
   EXPECT_EQ(ran.outcome, session::Outcome::done);
   EXPECT_TRUE(contains(ran.messages, "warning: there is no command \"nonsense\"")) << ran.messages;
-  EXPECT_TRUE(contains(ran.messages, "warning: pop is not supported"));
+  EXPECT_TRUE(contains(ran.messages, "warning: ritz is not supported"));
   EXPECT_TRUE(contains(ran.messages, "warning: there is no vertex 99"));
   EXPECT_TRUE(contains(ran.out, "4 of the commands at its end were left out\n")) << ran.out;
   EXPECT_EQ(trial.number("facet_count"), 96);

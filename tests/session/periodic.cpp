@@ -11,7 +11,7 @@ TEST(PeriodicFoam, KelvinsRelaxesToItsMinimum) {
   EXPECT_EQ(trial.number("converged"), 1);
   EXPECT_EQ(trial.number("stable"), 1);
   // 3.34274443, and the error of facets that are flat
-  EXPECT_NEAR(trial.number("total_area"), 3.342843, 1e-6);
+  EXPECT_NEAR(trial.number("total_area"), 3.34284829, 1e-7);
   EXPECT_NEAR(trial.number("body[1].volume"), 0.5, 1e-12);
 }
 
@@ -22,7 +22,7 @@ TEST(PeriodicFoam, StaysSoundThroughSurgery) {
   EXPECT_NEAR(trial.number("total_area"), area, 1e-12);
   trial.out("refine edges where id % 7 == 3; refine facets where id % 11 == 1; long_edges 0.3; check");
   EXPECT_NEAR(trial.number("total_area"), area, 1e-12);
-  EXPECT_NEAR(trial.number("body[3].volume"), 1.011736, 1e-5);
+  EXPECT_NEAR(trial.number("body[3].volume"), 1.0078125, 1e-12);
   trial.out("g 3; u; V; u; tiny_edges 0.12; V; check; g 5");
   EXPECT_NEAR(trial.number("body[3].volume"), 1, 1e-10);
   EXPECT_LT(trial.number("total_area"), 21.17);
@@ -36,12 +36,13 @@ TEST(PeriodicFoam, IsSavedAsItIs) {
   again.out("load \"" + folder / "saved.fe" + "\"");
   EXPECT_EQ(again.number("total_area"), trial.number("total_area"));
   EXPECT_NEAR(again.number("body[2].volume"), 0.5, 1e-13);
-  EXPECT_NE(trial::file_content(folder / "saved.fe").find("torus_filled\nperiods\n1 0 0\n"), std::string::npos);
+  EXPECT_NE(trial::file_content(folder / "saved.fe").find("torus_filled\nperiods\n1 0 0\n"),
+            std::string::npos);
 }
 
 TEST(PeriodicFoam, MovesWithItsMomentum) {
   trial::Trial trial("kelvin.fe");
-  trial.out("refine; refine; set vertex velocity {sin(6.28*x)*0.1, 0, 0}; evolve 50");
+  trial.out("refine; refine; set vertex velocity[1] 0.1*sin(2*pi*x); evolve 50");
   EXPECT_NEAR(trial.number("body[1].volume"), 0.5, 1e-9);
   EXPECT_LT(trial.number("total_area"), 3.36);
 }
@@ -69,7 +70,8 @@ faces
 )"));
     FAIL();
   } catch (const text::Error& error) {
-    EXPECT_NE(text::describe(error).find("face 1 does not close"), std::string::npos) << text::describe(error);
+    EXPECT_NE(std::string(error.what()).find("face 1 does not close"), std::string::npos)
+        << std::string(error.what());
   }
 }
 
