@@ -21,7 +21,8 @@ constexpr double substep_fraction = 0.8;
 // steps.
 constexpr double choked = 0.4;
 constexpr double steps_between_upkeeps = 10;
-constexpr double forgetting = 0.9;  // of the best, where the mesh does not get as fit as it was
+constexpr double implicit_reach = 10;  // an implicit step over an explicit one, unless fixed
+constexpr double forgetting = 0.9;     // of the best, where the mesh does not get as fit as it was
 
 // A target that was set at once, or a datafile whose bodies do not have their volumes yet, is met by moving
 // the film there at rest: through velocities it would be a blow.
@@ -36,12 +37,21 @@ Ending start_at_targets(scene::Scene& scene) {
   return solve::reach_volumes(scene, problem, scene.film.edit_positions(), energy);
 }
 
+void add(StepTimes& sum, const StepTimes& times) {
+  sum.forces += times.forces;
+  sum.volumes += times.volumes;
+  sum.surgery += times.surgery;
+  sum.other += times.other;
+  sum.steps += times.steps;
+  sum.facets += times.facets;
+}
+
 // Makes steps one after the other and keeps account of them.
 class Walk {
  public:
   Walk(scene::Scene& scene, const StepSize& size, scene::Monitor& monitor, const AfterStep& after_step)
       : scene_(scene),
-        motion_(std::make_unique<Motion>(scene, size.method)),
+        motion_(std::make_unique<Motion>(scene, size.method, size.volumes)),
         size_(size),
         monitor_(monitor),
         after_step_(after_step) {}
@@ -51,6 +61,8 @@ class Walk {
  private:
   Ending advance(double dt, long steps);
   void keep_mesh();
+  void renew_motion();
+  double free_step() const;
 
   scene::Scene& scene_;
   std::unique_ptr<Motion> motion_;
@@ -69,7 +81,7 @@ Ending Walk::advance(double dt, long steps) {
     if (monitor_.watched()) motion_->store();
     monitor_.progress(report_.steps, steps, motion_->energy());
     if (monitor_.stop_requested()) return Ending::stopped;
-    const double pieces = std::ceil(left / (fraction * motion_->bound()) * (1 - 1e-12));
+    const double pieces = std::ceil(left / (fraction * motion_->largest_step()) * (1 - 1e-12));
     const double piece = std::ldexp(left / std::max(1.0, pieces), -halvings);
     const Ending ending = motion_->step(piece);
     if (ending != Ending::step_limit) {
@@ -89,6 +101,16 @@ Ending Walk::advance(double dt, long steps) {
   return Ending::step_limit;
 }
 
+// After the connectivity or the mesh of the scene has changed.
+void Walk::renew_motion() {
+  add(report_.times, motion_->times());
+  motion_ = std::make_unique<Motion>(scene_, size_.method, size_.volumes);
+}
+
+double Walk::free_step() const {
+  return size_.fraction * motion_->bound() * (is_implicit(size_.method) ? implicit_reach : 1);
+}
+
 // A mesh that chokes the steps is made fit; where that does not help it is not tried again until it is worse.
 // What is remembered belongs to the scene, so that a run in two parts is the same run.
 void Walk::keep_mesh() {
@@ -98,15 +120,18 @@ void Walk::keep_mesh() {
   scene_.steps_unkept += 1;
   if (!due) return;
   scene_.steps_unkept = 0;
+  Stopwatch watch;
   motion_->store();
   const scene::Scene before = scene_;
   if (!keep_mesh_in_motion(scene_)) {
     scene_ = before;
+    watch.lap(report_.times.surgery);
     return;
   }
-  motion_ = std::make_unique<Motion>(scene_, size_.method);
+  renew_motion();
   scene_.mesh_fitness = std::max(motion_->fitness(), forgetting * scene_.mesh_fitness);
   ++report_.upkeeps;
+  watch.lap(report_.times.surgery);
 }
 
 EvolveReport Walk::run(long steps) {
@@ -115,13 +140,14 @@ EvolveReport Walk::run(long steps) {
       report_.ending = Ending::converged;  // nothing in the scene can move
       break;
     }
-    report_.ending = advance(size_.fixed ? *size_.fixed : size_.fraction * motion_->bound(), steps);
+    report_.ending = advance(size_.fixed ? *size_.fixed : free_step(), steps);
   }
   motion_->store();
   report_.bound = motion_->bound();
   report_.energy = motion_->energy();
   report_.kinetic = motion_->kinetic();
   report_.volume_error = motion_->volume_error();
+  add(report_.times, motion_->times());
   return report_;
 }
 
