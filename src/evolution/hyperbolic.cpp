@@ -15,11 +15,14 @@ namespace {
 using solve::Ending;
 
 constexpr int most_halvings = 12;
+// Relative: what steps in one pass may leave, and nobody sets a target for.
+constexpr double at_target = 1e-7;
 // A fixed step is made in substeps of at most this part of the bound.
 constexpr double substep_fraction = 0.8;
 // The mesh is made fit when its fitness has fallen to this part of the best, and not again within this many
 // steps.
 constexpr double choked = 0.4;
+constexpr double too_stiff = 0.7;  // what keeps the fitness below this part of the best is mended
 constexpr double steps_between_upkeeps = 10;
 constexpr double implicit_reach = 10;  // an implicit step over an explicit one, unless fixed
 constexpr double forgetting = 0.9;     // of the best, where the mesh does not get as fit as it was
@@ -32,7 +35,7 @@ Ending start_at_targets(scene::Scene& scene) {
   bool ok = false;
   problem.linearise(scene.film.positions(), ok);
   if (!ok) return Ending::volume_lost;
-  if (problem.volume_error() < 1e-9) return Ending::converged;
+  if (problem.volume_error() < at_target) return Ending::converged;
   double energy = 0;
   return solve::reach_volumes(scene, problem, scene.film.edit_positions(), energy);
 }
@@ -123,7 +126,7 @@ void Walk::keep_mesh() {
   Stopwatch watch;
   motion_->store();
   const scene::Scene before = scene_;
-  if (!keep_mesh_in_motion(scene_)) {
+  if (!keep_mesh_in_motion(scene_, motion_->stiffness_at(too_stiff * scene_.mesh_fitness))) {
     scene_ = before;
     watch.lap(report_.times.surgery);
     return;

@@ -14,9 +14,19 @@ constexpr double most_rise = 0.01;
 constexpr double most_volume_error = 1e-4;
 constexpr double implicit_accuracy = 0.1;
 
-void stir(scene::Scene& scene) {
+// The gradient flow has no velocities: places instead, by as much over the time 1.
+void stir(scene::Scene& scene, Method method) {
   std::mt19937_64 numbers(1);
   std::normal_distribution<double> any(0, start_speed);
+  if (method == Method::gradient) {
+    const auto fixed = scene.film.columns(film::ElementKind::vertex).flags("fixed");
+    const std::span<Vec3> places = scene.film.edit_positions();
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      const Vec3 move{any(numbers), any(numbers), any(numbers)};
+      if (fixed.empty() || fixed[v] == 0) places[v] += move;
+    }
+    return;
+  }
   std::vector<Vec3> velocity = velocities(scene.film);
   for (Vec3& v : velocity) {
     for (int axis = 0; axis < 3; ++axis) v[axis] += any(numbers);
@@ -26,7 +36,7 @@ void stir(scene::Scene& scene) {
 
 // What becomes of the film at so large a part of the bound; empty if it survives.
 std::string failure_at(scene::Scene scene, Method method, double fraction, const Trials& trials) {
-  stir(scene);
+  stir(scene, method);
   Motion motion(scene, method, VolumeMode::exact);
   const double end = scene.time + trials.steps * motion.bound();
   const double start = motion.energy() + motion.kinetic() - scene.work;

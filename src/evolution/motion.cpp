@@ -307,8 +307,13 @@ void Motion::accept(double dt, double energy) {
 }
 
 double Motion::fitness() const {
-  const double time = method_ == Method::gradient ? std::sqrt(bound_) : bound_;
+  const double time = method_ == Method::gradient ? std::sqrt(2 * bound_) : bound_;
   return mass_ > 0 ? time / std::sqrt(mass_ / static_cast<double>(terms_.triangle_count())) : 0;
+}
+
+double Motion::stiffness_at(double fitness) const {
+  const double facets = static_cast<double>(terms_.triangle_count());
+  return 4 * facets / (mass_ * fitness * fitness);  // 2/root(rate) over root(mass/facets) is the fitness
 }
 
 double Motion::volume_error() const {

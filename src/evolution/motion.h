@@ -70,6 +70,8 @@ class Motion {
   // The bound without units: over the time that a film as massive and as finely divided takes to swing. About
   // 1.2 for equilateral triangles at tension 1, small where slivers choke the steps; refinement leaves it.
   double fitness() const;
+  // The stiffness over mass of a vertex that would give the mesh this fitness.
+  double stiffness_at(double fitness) const;
   // Moves by dt, which should lie below the bound; the scene's time and pressures follow. Anything but
   // Ending::step_limit means that nothing has changed: the result would not be finite, its volumes could not
   // be kept, or its energy would have risen from nowhere.
