@@ -12,6 +12,7 @@ constexpr int most_volume_passes = 8;
 constexpr double volume_tolerance = 1e-12;  // relative
 // The volumes need no second look after a pass that leaves less than this by its expected rate.
 constexpr double most_left_unseen = 2e-12;
+constexpr double safety = 30;  // rates vary from step to step
 // The next step goes without a look at its volumes if the last one missed them by less than this.
 constexpr double missed_little = 2e-11;
 // A step that has missed them by more is made again, with a look.
@@ -101,7 +102,7 @@ bool Motion::keep_volumes(double dt) {
     gram_.solve(errors_, multipliers_);
     correct(dt);
     if (before > 0) pass_rate_ = worst / before;
-    if (worst * pass_rate_ < most_left_unseen) return true;
+    if (safety * worst * pass_rate_ < most_left_unseen) return true;
     before = worst;
   }
   return false;

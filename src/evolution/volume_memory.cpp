@@ -1,6 +1,7 @@
 #include "evolution/volume_memory.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lamella::evolution {
 
@@ -8,6 +9,7 @@ namespace {
 
 constexpr const char* column_name = "volume_defect";
 constexpr int width = 3;  // last, before, miss
+constexpr double smooth_slope = 0.3;
 
 }  // namespace
 
@@ -21,6 +23,13 @@ VolumeMemory::VolumeMemory(const scene::Scene& scene, std::vector<film::Region> 
     if (rows_[i].last == 0 && rows_[i].before == 0) rows_[i].miss = HUGE_VAL;
   }
   finish();
+}
+
+double VolumeMemory::expected(std::size_t row, double dt) const {
+  const Row& r = rows_[row];
+  const double slope = r.last - r.before;
+  const bool smooth = std::abs(slope) < smooth_slope * std::abs(r.last);
+  return dt * dt * (smooth ? r.last + slope : r.last);
 }
 
 void VolumeMemory::note(std::size_t row, double dt, double left, double missed) {

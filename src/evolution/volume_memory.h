@@ -11,16 +11,15 @@ namespace lamella::evolution {
 
 // A step by dt along velocities that keep volumes to first order changes a volume by dt^2 times a number that
 // varies slowly. It is extrapolated from the last two steps, which leaves an error that is two orders
-// smaller. The memory travels in a column of the bodies, so that a run in two parts is the same run.
+// smaller; where the two differ much, the last one stands for the next. The memory travels in a column of the
+// bodies, so that a run in two parts is the same run.
 class VolumeMemory {
  public:
   // Rows as in `regions`.
   VolumeMemory(const scene::Scene& scene, std::vector<film::Region> regions);
 
   // What a step by dt is expected to leave.
-  double expected(std::size_t row, double dt) const {
-    return dt * dt * (2 * rows_[row].last - rows_[row].before);
-  }
+  double expected(std::size_t row, double dt) const;
   // The largest part of its volume by which a body was missed in the last step; infinite without a memory.
   double miss() const { return miss_; }
   // From now on, until something is noted, the memory counts for nothing.

@@ -107,13 +107,14 @@ TEST(Evolve, ATableThatRisesCarriesTheDrop) {
   Trial trial;
   const Folder folder;
   std::string drop = file_content(datafile("drop_on_table.fe"));
-  trial.out("load \"" + datafile("drop_on_table.fe") + "\"; refine 2; relax; save \"" + (folder / "a.fe") + "\"");
+  trial.out("load \"" + datafile("drop_on_table.fe") + "\"; refine 2; relax; save \"" + (folder / "a.fe") +
+            "\"");
   drop = file_content(folder / "a.fe");
   const std::size_t formula = drop.find("formula:");
   const std::size_t end = drop.find('\n', formula);
   const std::string table = drop.substr(formula + 8, end - formula - 8);
-  drop.replace(formula, end - formula, "formula: " + table + (table.find('=') == std::string::npos ? "" : " + ") +
-                                           " 0.2*total_time");
+  drop.replace(formula, end - formula,
+               "formula: " + table + (table.find('=') == std::string::npos ? "" : " + ") + " 0.2*total_time");
   trial.out("load \"" + folder.write("b.fe", drop) + "\"; evolve 50 dt 0.004");
   EXPECT_NEAR(trial.number("min(vertices, z)"), 0.2 * 0.2, 1e-10);
   EXPECT_NEAR(trial.number("max(vertices where z < 0.0401, abs(velocity[3] - 0.2))"), 0, 1e-8);

@@ -48,7 +48,8 @@ TEST(Force, IsSavedWithTheWindAndTheirVariables) {
   EXPECT_EQ(other.out("force"), trial.out("force"));
   EXPECT_EQ(other.out("wind"), trial.out("wind"));
   EXPECT_EQ(other.number("k"), 2);
-  const std::string wrong = folder.write("wrong.fe", "parameter lamella_force = \"0, 0\"\n" + file_content(file));
+  const std::string wrong =
+      folder.write("wrong.fe", "parameter lamella_force = \"0, 0\"\n" + file_content(file));
   EXPECT_TRUE(contains(other.failure("load \"" + wrong + "\""), "is three formulas"));
 }
 

@@ -110,7 +110,7 @@ TEST(Integrators, ABubbleRingsAtItsFrequencies) {
       for (std::uint32_t v = 0; v < scene.film.vertex_rows(); ++v) {
         const Vec3 from = scene.film.position(film::Vertex(v)) - centre;
         const double mass = scene.film.columns(film::ElementKind::vertex).reals("mass")[v];
-        sum += mass * legendre(l, from.z / length(from)) * length(from);
+        sum += mass * legendre(l, from.z / length(from)) * (length(from) - radius);
       }
       return sum;
     };
