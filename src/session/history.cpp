@@ -93,9 +93,8 @@ bool settings_differ(const scene::Scene& a, const scene::Scene& b) {
          a.level_sets.size() != b.level_sets.size() || a.boundaries.size() != b.boundaries.size() ||
          a.gap_constant != b.gap_constant || a.edge_integral_order != b.edge_integral_order ||
          a.damping != b.damping || a.mass_of_area != b.mass_of_area || a.work != b.work ||
-         a.mesh_fitness != b.mesh_fitness || forces_differ(a.forces, b.forces) ||
-         a.name != b.name || quantities_differ(a, b) ||
-         a.view_transforms.expression != b.view_transforms.expression ||
+         a.mesh_fitness != b.mesh_fitness || forces_differ(a.forces, b.forces) || a.name != b.name ||
+         quantities_differ(a, b) || a.view_transforms.expression != b.view_transforms.expression ||
          a.view_transforms.on != b.view_transforms.on;
 }
 
