@@ -12,12 +12,39 @@ struct EvolveOptions {
   long steps = 1;
   std::optional<double> dt;
   std::optional<std::string> method;
+  std::optional<std::string> volumes;
   bool keep_mesh = false;
 };
 
-evolution::Method method_named(const std::string& name) {
-  if (name == "verlet") return evolution::Method::verlet;
-  return name == "gradient" ? evolution::Method::gradient : evolution::Method::euler;
+template <class Value>
+using Named = std::pair<const char*, Value>;
+
+constexpr std::array<Named<evolution::Method>, 5> methods = {{{"euler", evolution::Method::euler},
+                                                              {"verlet", evolution::Method::verlet},
+                                                              {"gradient", evolution::Method::gradient},
+                                                              {"implicit", evolution::Method::implicit},
+                                                              {"midpoint", evolution::Method::midpoint}}};
+
+constexpr std::array<Named<evolution::VolumeMode>, 4> volume_modes = {
+    {{"auto", evolution::VolumeMode::automatic},
+     {"lagged", evolution::VolumeMode::lagged},
+     {"exact", evolution::VolumeMode::exact},
+     {"paper", evolution::VolumeMode::paper}}};
+
+template <class Value, std::size_t n>
+std::vector<std::string> names_of(const std::array<Named<Value>, n>& table) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : table) names.emplace_back(name);
+  return names;
+}
+
+// The first where no name is given.
+template <class Value, std::size_t n>
+Value value_of(const std::array<Named<Value>, n>& table, const std::optional<std::string>& wanted) {
+  for (const auto& [name, value] : table) {
+    if (wanted && *wanted == name) return value;
+  }
+  return table[0].second;
 }
 
 // Outside of this many steps to or from the stability bound there is nothing but waiting or rounding errors.
@@ -35,6 +62,18 @@ std::string counted(long number, std::string_view what) {
   return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
+// What `timing` tells, and the variables.
+void keep_times(Session& session, const evolution::StepTimes& times) {
+  if (times.steps == 0) return;
+  const double per_step = 1e3 / static_cast<double>(times.steps);
+  session.counter("step_forces_ms") = per_step * times.forces;
+  session.counter("step_volumes_ms") = per_step * times.volumes;
+  session.counter("step_surgery_ms") = per_step * times.surgery;
+  session.counter("step_other_ms") = per_step * times.other;
+  session.counter("step_ms") = per_step * times.sum();
+  session.counter("step_facets") = times.facets / static_cast<double>(times.steps);
+}
+
 [[noreturn]] void fail(const evolution::EvolveReport& report) {
   throw text::Error(fmt::format("the film stopped moving after {}: {}", counted(report.steps, "step"),
                                 solve::describe(report.ending)),
@@ -47,13 +86,15 @@ void run(Session& session, const EvolveOptions& options) {
   evolution::StepSize size;
   size.fixed = options.dt;
   size.upkeep = !options.keep_mesh;
-  size.method = method_named(options.method.value_or("euler"));
+  size.method = value_of(methods, options.method);
+  size.volumes = value_of(volume_modes, options.volumes);
   if (options.dt) check_step(scene, *options.dt, size.method);
   evolution::AfterStep note;
   if (MotionLog& log = session.memory<MotionLog>(); log.active())
     note = [&](const evolution::Motion& motion, long) { log.note(scene, motion); };
   const evolution::EvolveReport report =
       evolution::evolve(scene, options.steps, size, session.monitor(), note);
+  keep_times(session, report.times);
   const bool failed = report.ending != solve::Ending::step_limit && report.ending != solve::Ending::stopped &&
                       report.ending != solve::Ending::converged;
   if (failed) fail(report);
@@ -79,9 +120,14 @@ extern const Command evolve_command = make_command<EvolveOptions>(
             "size of a step in units of time; half the stability bound unless given")
          .above(0)
          .or_word("auto"),
-     option("method", &EvolveOptions::method,
-            "symplectic Euler unless given; velocity Verlet; gradient flow without inertia")
-         .one_of({"euler", "verlet", "gradient"}),
+     option(
+         "method", &EvolveOptions::method,
+         "symplectic Euler unless given; velocity Verlet; gradient flow without inertia; linearly implicit "
+         "Euler; implicit midpoint")
+         .one_of(names_of(methods)),
+     option("volumes", &EvolveOptions::volumes,
+            "in one pass where that is accurate, unless given; always in one; exact; as in the paper")
+         .one_of(names_of(volume_modes)),
      flag("keep_mesh", &EvolveOptions::keep_mesh, "no flips and no averaging, however bad the mesh becomes")},
     run);
 

@@ -18,18 +18,9 @@ double error_of(const Sample& sample, double reference) {
   return std::abs(sample.energy / reference - 1);
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
-}
-
 std::string script(const std::vector<Curve>& curves, double reference, const std::string& title,
                    const std::filesystem::path& picture) {
-  const bool png = picture.extension() == ".png";
-  std::string text = png ? "set terminal pngcairo size 1000,700 noenhanced\n"
-                         : "set terminal svg size 800,560 dynamic background 'white' noenhanced\n";
-  text += "set output " + quoted(picture.string()) + "\n";
+  std::string text = picture_settings(picture);
   text += "set title " + quoted(title) + "\n";
   text += "set logscale xy\nset format y '10^{%L}'\nset format x '%g'\n";
   text += "set xlabel 'processor time, s'\nset ylabel 'relative error of the energy'\n";
@@ -51,6 +42,19 @@ std::string script(const std::vector<Curve>& curves, double reference, const std
 
 }  // namespace
 
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string picture_settings(const std::filesystem::path& picture) {
+  const bool png = picture.extension() == ".png";
+  return std::string(png ? "set terminal pngcairo size 1000,700 noenhanced\n"
+                         : "set terminal svg size 800,560 dynamic background 'white' noenhanced\n") +
+         "set output " + quoted(picture.string()) + "\n";
+}
+
 std::string table(const std::vector<Curve>& curves, double reference) {
   std::string text = "method,seconds,facets,energy,error\n";
   for (const Curve& curve : curves) {
@@ -64,8 +68,11 @@ std::string table(const std::vector<Curve>& curves, double reference) {
 
 void plot(const std::vector<Curve>& curves, double reference, const std::string& title,
           const std::filesystem::path& picture) {
+  run_gnuplot(script(curves, reference, title, picture), picture);
+}
+
+void run_gnuplot(const std::string& text, const std::filesystem::path& picture) {
   std::FILE* const pipe = ::popen("gnuplot 2> /dev/null", "w");
-  const std::string text = script(curves, reference, title, picture);
   const bool written = pipe != nullptr && std::fwrite(text.data(), 1, text.size(), pipe) == text.size();
   const int status = pipe != nullptr ? ::pclose(pipe) : -1;
   if (!written || status != 0 || !std::filesystem::exists(picture))

@@ -15,4 +15,11 @@ std::string table(const std::vector<Curve>& curves, double reference);
 void plot(const std::vector<Curve>& curves, double reference, const std::string& title,
           const std::filesystem::path& picture);
 
+// The lines by which a script of gnuplot writes a picture; and running one. Throws text::Error where gnuplot
+// is missing or fails.
+std::string picture_settings(const std::filesystem::path& picture);
+void run_gnuplot(const std::string& script, const std::filesystem::path& picture);
+// In quotes, as gnuplot reads it.
+std::string quoted(const std::string& text);
+
 }  // namespace lamella::chart

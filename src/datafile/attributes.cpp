@@ -40,9 +40,10 @@ constexpr std::array<KnownColumn, 20> column_table = {{
     {ElementKind::body, "original", Type::integer, 0, New::blank},
 }};
 
-constexpr std::array<CarriedColumn, 2> carried_table = {{
+constexpr std::array<CarriedColumn, 3> carried_table = {{
     {ElementKind::vertex, "velocity", 3, New::mean},
     {ElementKind::vertex, "mass", 1, New::blank},
+    {ElementKind::body, "volume_defect", 3, New::blank},
 }};
 
 constexpr std::array<AttributeWord, 27> word_table = {{

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "datafile/force_settings.h"
 #include "datafile/settings.h"
 #include "datafile/top_section.h"
 #include "datafile/top_values.h"
@@ -49,6 +50,8 @@ void set_variable(Reading& reading, const Token& name, language::Value value, bo
     setting->set(reading.scene, *number);
     return;
   }
+  const std::string* const text = std::get_if<std::string>(&value);
+  if (text != nullptr && read_force_setting(reading, name, *text)) return;
   language::Variables& variables = reading.scene.variables;
   const auto [first, is_new] = reading.defined.try_emplace(text::lower(name.text), name.place);
   if (!is_new) {

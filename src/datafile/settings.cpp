@@ -116,13 +116,15 @@ constexpr std::array<Setting, 24> setting_table = {{
     {"surface_dimension", read_surface_dimension},
 }};
 
-constexpr std::array<SettingParameter, 6> parameter_table = {{
+constexpr std::array<SettingParameter, 7> parameter_table = {{
     {"lamella_mesh_fitness", [](const scene::Scene& s) { return s.mesh_fitness; },
      [](scene::Scene& s, double value) { s.mesh_fitness = value; }, 0},
     {"lamella_steps_unkept", [](const scene::Scene& s) { return s.steps_unkept; },
      [](scene::Scene& s, double value) { s.steps_unkept = value; }, 0},
     {"lamella_mass_of_area", [](const scene::Scene& s) { return s.mass_of_area ? 1.0 : 0.0; },
      [](scene::Scene& s, double value) { s.mass_of_area = value != 0; }, 0},
+    {"lamella_wind_pressure", [](const scene::Scene& s) { return s.forces.wind_pressure; },
+     [](scene::Scene& s, double value) { s.forces.wind_pressure = value; }, 1},
     {"lamella_work", [](const scene::Scene& s) { return s.work; },
      [](scene::Scene& s, double value) { s.work = value; }, 0},
     {"lamella_keep_volumes", [](const scene::Scene& s) { return s.keep_volumes ? 1.0 : 0.0; },

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "datafile/force_settings.h"
 #include "datafile/settings.h"
 #include "datafile/title.h"
 #include "datafile/write_commands.h"
@@ -129,6 +130,7 @@ std::string write_scene(const scene::Scene& scene) {
   if (needs_own_numbers(scene)) out += "keep_originals\n";
   write_settings(out, scene);
   write_parameters(out, scene);
+  write_forces(out, scene.forces);
   write_declarations(out, scene);
   write_constraints(out, scene);
   write_quantities(out, scene);

@@ -53,6 +53,15 @@ void for_each_formula(const scene::Scene& scene, Function&& function) {
     each(boundary.position);
     integrals(boundary);
   }
+  const auto vector = [&](const std::optional<scene::VectorFormula>& formula) {
+    if (formula) each(formula->component);
+  };
+  vector(scene.forces.force);
+  vector(scene.forces.wind);
+  if (scene.forces.air) {
+    vector(scene.forces.air->fan);
+    vector(scene.forces.air->jet);
+  }
   for (const scene::Quantity& quantity : scene.quantities) {
     for (const scene::MethodInstance& instance : quantity.methods) {
       function(instance.scalar);

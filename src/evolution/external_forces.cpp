@@ -28,7 +28,22 @@ bool mentions_normal(const std::optional<scene::VectorFormula>& formula) {
 ExternalForces::ExternalForces(const scene::Scene& scene) : film_(scene.film), forces_(scene.forces) {
   bind(forces_.force, scene.variables);
   bind(forces_.wind, scene.variables);
-  needs_normals_ = forces_.wind.has_value() || mentions_normal(forces_.force);
+  if (forces_.air) air_.emplace(*forces_.air, scene.variables);
+  needs_normals_ = forces_.wind.has_value() || air_ || mentions_normal(forces_.force);
+}
+
+// What wind and air do to a vertex: windward ones of bubbles are pushed, and all of films that part nothing.
+Vec3 ExternalForces::blow(const Vec3& at, const language::FormulaInputs& inputs, const Vec3& velocity,
+                          const Vec3& normal, bool closed) const {
+  const auto push = [&](const Vec3& wind, double pressure) {
+    const double through = dot(wind - velocity, normal);
+    const bool sheltered = closed && through > 0;
+    return sheltered ? Vec3{} : (pressure * through) * normal;
+  };
+  Vec3 sum;
+  if (forces_.wind) sum += push(value(*forces_.wind, inputs), forces_.wind_pressure);
+  if (air_) sum += push(air_->at(at), air_->pressure());
+  return sum;
 }
 
 bool ExternalForces::evaluate(std::span<const Vec3> x, std::span<const Vec3> v,
@@ -50,11 +65,7 @@ bool ExternalForces::evaluate(std::span<const Vec3> x, std::span<const Vec3> v,
     const language::FormulaInputs inputs{at, time, state};
     Vec3 sum;
     if (forces_.force) sum += value(*forces_.force, inputs);
-    if (forces_.wind) {
-      const double through = dot(value(*forces_.wind, inputs) - v[i], normal);
-      const bool sheltered = closed && through > 0;
-      if (!sheltered) sum += (forces_.wind_pressure * through) * normal;
-    }
+    if (forces_.wind || air_) sum += blow(x[i], inputs, v[i], normal, closed);
     accelerations[i] = sum;
     finite = finite && std::isfinite(sum.x + sum.y + sum.z);
   }

@@ -15,13 +15,17 @@ namespace {
 using solve::Ending;
 
 constexpr int most_halvings = 12;
+// Relative: what steps in one pass may leave, and nobody sets a target for.
+constexpr double at_target = 1e-7;
 // A fixed step is made in substeps of at most this part of the bound.
 constexpr double substep_fraction = 0.8;
 // The mesh is made fit when its fitness has fallen to this part of the best, and not again within this many
 // steps.
 constexpr double choked = 0.4;
+constexpr double too_stiff = 0.7;  // what keeps the fitness below this part of the best is mended
 constexpr double steps_between_upkeeps = 10;
-constexpr double forgetting = 0.9;  // of the best, where the mesh does not get as fit as it was
+constexpr double implicit_reach = 10;  // an implicit step over an explicit one, unless fixed
+constexpr double forgetting = 0.9;     // of the best, where the mesh does not get as fit as it was
 
 // A target that was set at once, or a datafile whose bodies do not have their volumes yet, is met by moving
 // the film there at rest: through velocities it would be a blow.
@@ -31,9 +35,18 @@ Ending start_at_targets(scene::Scene& scene) {
   bool ok = false;
   problem.linearise(scene.film.positions(), ok);
   if (!ok) return Ending::volume_lost;
-  if (problem.volume_error() < 1e-9) return Ending::converged;
+  if (problem.volume_error() < at_target) return Ending::converged;
   double energy = 0;
   return solve::reach_volumes(scene, problem, scene.film.edit_positions(), energy);
+}
+
+void add(StepTimes& sum, const StepTimes& times) {
+  sum.forces += times.forces;
+  sum.volumes += times.volumes;
+  sum.surgery += times.surgery;
+  sum.other += times.other;
+  sum.steps += times.steps;
+  sum.facets += times.facets;
 }
 
 // Makes steps one after the other and keeps account of them.
@@ -41,7 +54,7 @@ class Walk {
  public:
   Walk(scene::Scene& scene, const StepSize& size, scene::Monitor& monitor, const AfterStep& after_step)
       : scene_(scene),
-        motion_(std::make_unique<Motion>(scene, size.method)),
+        motion_(std::make_unique<Motion>(scene, size.method, size.volumes)),
         size_(size),
         monitor_(monitor),
         after_step_(after_step) {}
@@ -51,6 +64,8 @@ class Walk {
  private:
   Ending advance(double dt, long steps);
   void keep_mesh();
+  void renew_motion();
+  double free_step() const;
 
   scene::Scene& scene_;
   std::unique_ptr<Motion> motion_;
@@ -69,7 +84,7 @@ Ending Walk::advance(double dt, long steps) {
     if (monitor_.watched()) motion_->store();
     monitor_.progress(report_.steps, steps, motion_->energy());
     if (monitor_.stop_requested()) return Ending::stopped;
-    const double pieces = std::ceil(left / (fraction * motion_->bound()) * (1 - 1e-12));
+    const double pieces = std::ceil(left / (fraction * motion_->largest_step()) * (1 - 1e-12));
     const double piece = std::ldexp(left / std::max(1.0, pieces), -halvings);
     const Ending ending = motion_->step(piece);
     if (ending != Ending::step_limit) {
@@ -89,6 +104,16 @@ Ending Walk::advance(double dt, long steps) {
   return Ending::step_limit;
 }
 
+// After the connectivity or the mesh of the scene has changed.
+void Walk::renew_motion() {
+  add(report_.times, motion_->times());
+  motion_ = std::make_unique<Motion>(scene_, size_.method, size_.volumes);
+}
+
+double Walk::free_step() const {
+  return size_.fraction * motion_->bound() * (is_implicit(size_.method) ? implicit_reach : 1);
+}
+
 // A mesh that chokes the steps is made fit; where that does not help it is not tried again until it is worse.
 // What is remembered belongs to the scene, so that a run in two parts is the same run.
 void Walk::keep_mesh() {
@@ -98,15 +123,18 @@ void Walk::keep_mesh() {
   scene_.steps_unkept += 1;
   if (!due) return;
   scene_.steps_unkept = 0;
+  Stopwatch watch;
   motion_->store();
   const scene::Scene before = scene_;
-  if (!keep_mesh_in_motion(scene_)) {
+  if (!keep_mesh_in_motion(scene_, motion_->stiffness_at(too_stiff * scene_.mesh_fitness))) {
     scene_ = before;
+    watch.lap(report_.times.surgery);
     return;
   }
-  motion_ = std::make_unique<Motion>(scene_, size_.method);
+  renew_motion();
   scene_.mesh_fitness = std::max(motion_->fitness(), forgetting * scene_.mesh_fitness);
   ++report_.upkeeps;
+  watch.lap(report_.times.surgery);
 }
 
 EvolveReport Walk::run(long steps) {
@@ -115,13 +143,14 @@ EvolveReport Walk::run(long steps) {
       report_.ending = Ending::converged;  // nothing in the scene can move
       break;
     }
-    report_.ending = advance(size_.fixed ? *size_.fixed : size_.fraction * motion_->bound(), steps);
+    report_.ending = advance(size_.fixed ? *size_.fixed : free_step(), steps);
   }
   motion_->store();
   report_.bound = motion_->bound();
   report_.energy = motion_->energy();
   report_.kinetic = motion_->kinetic();
   report_.volume_error = motion_->volume_error();
+  add(report_.times, motion_->times());
   return report_;
 }
 

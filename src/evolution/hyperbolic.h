@@ -33,8 +33,9 @@ using film::Vec3;
 
 struct StepSize {
   std::optional<double> fixed;  // in units of time; larger ones than the bound are made in substeps
-  double fraction = 0.5;        // of the stability bound, where not fixed
+  double fraction = 0.5;        // of the stability bound, where not fixed; ten times as much if implicit
   Method method = Method::euler;
+  VolumeMode volumes = VolumeMode::automatic;
   bool upkeep = true;  // keep the mesh fit where it would choke the steps
 };
 
@@ -50,6 +51,7 @@ struct EvolveReport {
   double energy = 0;  // potential energy at the end
   double kinetic = 0;
   double volume_error = 0;  // largest relative error at the end
+  StepTimes times;
 };
 
 // Moves the film by `steps` steps. Positions, the vertex columns "velocity" and "mass", the time and the

@@ -42,15 +42,18 @@ std::vector<Vec3> velocities(const film::Film& film) {
   return result;
 }
 
-void store_motion(film::Film& film, std::span<const double> masses, std::span<const Vec3> velocities) {
-  Columns& columns = film.columns(ElementKind::vertex);
-  Reals& mass = column_data(columns, "mass", 1, Inheritance::New::blank);
-  mass.assign(masses.begin(), masses.end());
-  Reals& velocity = column_data(columns, "velocity", 3, Inheritance::New::mean);
+void store_velocities(film::Film& film, std::span<const Vec3> velocities) {
+  Reals& velocity = column_data(film.columns(ElementKind::vertex), "velocity", 3, Inheritance::New::mean);
   for (std::size_t v = 0; v < velocities.size(); ++v) {
     for (int axis = 0; axis < 3; ++axis)
       velocity[3 * v + static_cast<std::size_t>(axis)] = velocities[v][axis];
   }
+}
+
+void store_motion(film::Film& film, std::span<const double> masses, std::span<const Vec3> velocities) {
+  Reals& mass = column_data(film.columns(ElementKind::vertex), "mass", 1, Inheritance::New::blank);
+  mass.assign(masses.begin(), masses.end());
+  store_velocities(film, velocities);
 }
 
 }  // namespace lamella::evolution

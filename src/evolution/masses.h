@@ -16,6 +16,9 @@ std::vector<double> carried_masses(const film::Film& film, std::span<const energ
 // The column "velocity", or zeros.
 std::vector<film::Vec3> velocities(const film::Film& film);
 
+// Writes the column, adding it where the film has none.
+void store_velocities(film::Film& film, std::span<const film::Vec3> velocities);
+
 // Writes both columns, adding them where the film has none.
 void store_motion(film::Film& film, std::span<const double> masses, std::span<const film::Vec3> velocities);
 

@@ -11,23 +11,23 @@ namespace {
 
 using solve::Ending;
 
-constexpr int most_volume_passes = 8;
-constexpr double volume_tolerance = 1e-12;  // relative
-// The volumes need no second look after a pass that leaves less than this by its expected rate.
-constexpr double most_left_unseen = 2e-12;
 // A step may raise the total energy by this part of it before it counts as a failure: a symplectic step below
 // the bound wobbles by far less, an unstable one grows without limit.
 constexpr double most_energy_rise = 0.02;
 
 }  // namespace
 
-Motion::Motion(scene::Scene& scene, Method method)
+Motion::Motion(scene::Scene& scene, Method method, VolumeMode volumes)
     : scene_(scene),
       method_(method),
+      volume_mode_(volumes),
       terms_(scene),
       forces_(scene),
-      gram_(terms_.volume_gradient().rows(), terms_.volume_gradient().pattern()),
+      gram_(terms_.volume_gradient().rows(), terms_.volume_gradient().pattern(),
+            solve::GramSolver::Kind::fastest),
+      memory_(scene, {terms_.constrained().begin(), terms_.constrained().end()}),
       gram_values_(terms_.volume_gradient().pattern().size()),
+      ones_(terms_.constrained().empty() ? 0 : scene.film.vertex_rows(), 1.0),
       weights_(scene.film.vertex_rows()),
       x_(scene.film.positions().begin(), scene.film.positions().end()),
       v_(velocities(scene.film)),
@@ -36,13 +36,27 @@ Motion::Motion(scene::Scene& scene, Method method)
       pushes_(forces_.empty() ? 0 : x_.size()),
       errors_(terms_.constrained().size()),
       multipliers_(errors_.size()),
+      present_(errors_.size()),
+      foreseen_(errors_.size()),
+      reached_(errors_.size()),
       next_pressures_(errors_.size()) {
   for (const film::Region region : terms_.constrained()) pressures_.push_back(scene.body(region).pressure);
   energy_ = terms_.gradient(x_);
   masses_ = carried_masses(scene.film, terms_.lines());
   weigh();
   sound_ = linearise();
+  for (std::size_t i = 0; i < present_.size(); ++i)
+    present_[i] = terms_.volumes()[terms_.constrained()[i].index];
+  if (is_implicit(method)) implicit_ = std::make_unique<ImplicitSolver>(scene, masses_);
+  if (volumes == VolumeMode::paper && !errors_.empty()) {
+    std::vector<int> rows(scene.bodies.size() + 1, -1);
+    for (std::size_t i = 0; i < errors_.size(); ++i)
+      rows[terms_.constrained()[i].index] = static_cast<int>(i);
+    paper_ = std::make_unique<PaperCorrection>(scene.film, std::move(rows), static_cast<int>(errors_.size()));
+  }
 }
+
+Motion::~Motion() = default;
 
 // Inverse masses and the kinetic energy that go with the masses.
 void Motion::weigh() {
@@ -69,6 +83,7 @@ bool Motion::linearise() {
     stiffest = std::max(stiffest, lines[v].stiffness * weights_[v]);
   const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
   bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;
+  forces_.advance(scene_.time);
   pushed_soundly_ = forces_.empty() || forces_.evaluate(x_, v_, lines, scene_.time, pushes_);
   if (!pushed_soundly_ || !std::isfinite(energy_)) return false;
   if (errors_.empty()) return true;
@@ -76,47 +91,90 @@ bool Motion::linearise() {
   return gram_.factorise(gram_values_);
 }
 
-// The kick from the forces at x_, then the drift from x_ with the velocities that it leaves.
-void Motion::kick_and_drift(double kick, double drift) {
+// The kick from the forces at x_.
+void Motion::kick(double dt) {
   const std::span<const energy::VertexLine> lines = terms_.lines();
   energy::VolumeGradient& volume = terms_.volume_gradient();
   volume.set_multipliers(pressures_);
-  const bool free = errors_.empty();
+  const bool free = errors_.empty() || paper_ != nullptr;
   const bool pushed = !pushes_.empty();
-  const double kept = std::exp(-scene_.damping * kick);
-  next_kinetic_ = work_ = damped_ = 0;
+  const double kept = std::exp(-scene_.damping * dt);
+  damped_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
     const Vec3 force = free ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
-    Vec3 velocity = v_[v] + (kick * weights_[v]) * force;
+    Vec3 velocity = v_[v] + (dt * weights_[v]) * force;
     if (pushed && weights_[v] != 0) {
-      velocity += kick * pushes_[v];
-      work_ += 0.5 * kick * masses_[v] * dot(pushes_[v], velocity + v_[v]);
+      velocity += dt * pushes_[v];
+      work_ += 0.5 * dt * masses_[v] * dot(pushes_[v], velocity + v_[v]);
     }
     next_v_[v] = kept * velocity;
-    next_x_[v] = x_[v] + drift * next_v_[v];
-    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+    damped_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
-  damped_ = next_kinetic_ > 0 ? (1 / (kept * kept) - 1) * next_kinetic_ : 0;
+  damped_ *= 1 / (kept * kept) - 1;
 }
 
-// The step of the gradient flow; next_v_ is how fast it moves.
+// Velocities with the pull of the multipliers, and the move with them.
+void Motion::drift(double dt) {
+  const energy::VolumeGradient& volume = terms_.volume_gradient();
+  const bool free = errors_.empty() || paper_ != nullptr;
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    if (!free) next_v_[v] += weights_[v] * volume.pull(v);
+    next_x_[v] = x_[v] + dt * next_v_[v];
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+  }
+}
+
+// The velocities of the gradient flow.
 void Motion::descend(double dt) {
   const std::span<const energy::VertexLine> lines = terms_.lines();
   energy::VolumeGradient& volume = terms_.volume_gradient();
   volume.set_multipliers(pressures_);
-  work_ = damped_ = next_kinetic_ = 0;
+  damped_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
     next_v_[v] = weights_[v] * (volume.pull(v) - lines[v].gradient);
     if (!pushes_.empty() && weights_[v] != 0) {
       next_v_[v] += pushes_[v];
       work_ += dt * masses_[v] * dot(pushes_[v], next_v_[v]);
     }
-    next_x_[v] = x_[v] + dt * next_v_[v];
   }
 }
 
-// Verlet's second half, with the forces at next_x_, where terms_ are.
+// next_x_, next_v_ and next_pressures_ by one of the implicit methods. Damping acts half before, half after.
+bool Motion::implicit_step(double dt) {
+  const bool centred = method_ == Method::midpoint;
+  const double kept = std::exp(-scene_.damping * (centred ? 0.5 * dt : dt));
+  const double before = centred ? kept : 1;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    next_v_[v] = before * v_[v];
+    next_x_[v] = x_[v] + 0.5 * dt * next_v_[v];
+  }
+  if (!forces_.empty() && centred &&
+      !forces_.evaluate(next_x_, next_v_, terms_.lines(), scene_.time + 0.5 * dt, pushes_))
+    return false;
+  for (std::size_t i = 0; i < errors_.size(); ++i) foreseen_[i] = target(i, scene_.time + dt);
+  const ImplicitStart start{x_, next_v_, pushes_, foreseen_, scene_.time, dt};
+  const std::span<Vec3> moves = next_x_;
+  const bool solved = centred ? implicit_->midpoint(start, moves, next_pressures_)
+                              : implicit_->euler(start, moves, next_pressures_);
+  if (!solved) return false;
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    if (!pushes_.empty()) work_ += masses_[v] * dot(pushes_[v], moves[v]);
+    next_v_[v] = centred ? kept * ((2 / dt) * moves[v] - next_v_[v]) : (kept / dt) * moves[v];
+    next_x_[v] = x_[v] + moves[v];
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+  }
+  damped_ = (1 / (kept * kept) - 1) * next_kinetic_ + (1 - before * before) * kinetic_;
+  return true;
+}
+
+// The end of a step of Verlet or midpoint, with the forces at next_x_, where terms_ are.
 bool Motion::second_kick(double dt) {
+  if (method_ == Method::midpoint) {
+    terms_.constraints().restrict(next_v_);
+    return errors_.empty() || settle_velocities(dt);
+  }
   const std::span<const energy::VertexLine> lines = terms_.lines();
   energy::VolumeGradient& volume = terms_.volume_gradient();
   if (!forces_.empty() && !forces_.evaluate(next_x_, next_v_, lines, scene_.time + dt, pushes_)) return false;
@@ -138,32 +196,15 @@ bool Motion::second_kick(double dt) {
     next_kinetic_ += kept * kept * undamped;
   }
   terms_.constraints().restrict(next_v_);
-  if (errors_.empty()) return true;
-  volume.gram(weights_, gram_values_);
+  return errors_.empty() || settle_velocities(dt);
+}
+
+// Velocities that keep the volumes at next_x_.
+bool Motion::settle_velocities(double dt) {
+  terms_.volume_gradient().gram(weights_, gram_values_);
   if (!gram_.factorise(gram_values_)) return false;
   project_velocities(dt);
   return true;
-}
-
-// Takes out of next_v_ what would change volumes other than as their targets do.
-void Motion::project_velocities(double dt) {
-  energy::VolumeGradient& volume = terms_.volume_gradient();
-  std::vector<double>& rates = errors_;
-  ones_.assign(x_.size(), 1.0);
-  volume.dot(ones_, next_v_, rates);
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    const scene::Body& body = scene_.body(terms_.constrained()[i]);
-    const double wanted =
-        (scene::target_at(body, scene_.time + dt) - scene::target_at(body, scene_.time)) / dt;
-    rates[i] = wanted - rates[i];
-  }
-  gram_.solve(rates, multipliers_);
-  volume.set_multipliers(multipliers_);
-  next_kinetic_ = 0;
-  for (std::size_t v = 0; v < x_.size(); ++v) {
-    next_v_[v] += weights_[v] * volume.pull(v);
-    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
-  }
 }
 
 // Puts held vertices onto their constraints at the end of the step; what that moves them is velocity, too.
@@ -177,44 +218,6 @@ bool Motion::keep_constraints(double dt) {
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   });
   return true;
-}
-
-// Adds the impulse of the multipliers along the volume gradients at the start of the step.
-void Motion::correct(double dt) {
-  energy::VolumeGradient& volume = terms_.volume_gradient();
-  volume.set_multipliers(multipliers_);
-  next_kinetic_ = 0;
-  for (std::size_t v = 0; v < x_.size(); ++v) {
-    const Vec3 shift = weights_[v] * volume.pull(v);
-    next_x_[v] += shift;
-    next_v_[v] += shift / dt;
-    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
-  }
-  const double span = method_ == Method::gradient ? dt : method_ == Method::verlet ? 0.5 * dt * dt : dt * dt;
-  for (std::size_t i = 0; i < errors_.size(); ++i) next_pressures_[i] += multipliers_[i] / span;
-}
-
-bool Motion::keep_volumes(double dt) {
-  next_pressures_ = pressures_;
-  double before = 0;
-  for (int pass = 0; pass < most_volume_passes; ++pass) {
-    terms_.value(next_x_);
-    double worst = 0;
-    for (std::size_t i = 0; i < errors_.size(); ++i) {
-      const film::Region region = terms_.constrained()[i];
-      const double target = scene::target_at(scene_.body(region), scene_.time + dt);
-      errors_[i] = target - terms_.volumes()[region.index];
-      worst = std::max(worst, std::abs(errors_[i] / target));
-    }
-    if (!std::isfinite(worst)) return false;
-    if (worst < volume_tolerance) return true;
-    gram_.solve(errors_, multipliers_);
-    correct(dt);
-    if (before > 0) pass_rate_ = worst / before;
-    if (worst * pass_rate_ < most_left_unseen) return true;
-    before = worst;
-  }
-  return false;
 }
 
 // Blowing up a body by a moving target puts energy in, as do constraints that move; otherwise only forces of
@@ -235,25 +238,57 @@ Ending Motion::undo(Ending why) {
   return why;
 }
 
-Ending Motion::step(double dt) {
-  if (!sound_) return pushed_soundly_ && std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite;
+// Fills next_x_, next_v_, next_pressures_ with where the method goes, volumes kept to first order.
+bool Motion::propose(double dt) {
+  next_pressures_ = pressures_;
+  work_ = 0;
+  if (is_implicit(method_)) {
+    const bool solved = implicit_step(dt);
+    watch_.lap(times_.forces);
+    return solved;
+  }
   if (method_ == Method::gradient) {
     descend(dt);
   } else {
-    kick_and_drift(method_ == Method::verlet ? 0.5 * dt : dt, dt);
+    kick(method_ == Method::verlet ? 0.5 * dt : dt);
   }
+  watch_.lap(times_.other);
+  if (!errors_.empty() && paper_ == nullptr) impose_volumes(dt);
+  watch_.lap(times_.volumes);
+  drift(dt);
+  watch_.lap(times_.other);
+  return true;
+}
+
+Ending Motion::step(double dt) {
+  if (!sound_) return pushed_soundly_ && std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite;
+  watch_.start();
+  if (!propose(dt)) return undo(Ending::not_finite);
   terms_.set_time(scene_.time + dt);
   if (!keep_constraints(dt)) return undo(Ending::constraint_lost);
   if (!errors_.empty() && !keep_volumes(dt)) return undo(Ending::volume_lost);
+  watch_.lap(times_.volumes);
   const double energy = terms_.gradient(next_x_);
-  if (method_ == Method::verlet && !second_kick(dt)) return undo(Ending::not_finite);
+  watch_.lap(times_.forces);
+  if (one_pass_ && missed_too_far(dt)) {
+    undo(Ending::volume_lost);
+    memory_.distrust();
+    return step(dt);
+  }
+  const bool centred = method_ == Method::verlet || method_ == Method::midpoint;
+  if (centred && !second_kick(dt)) return undo(Ending::not_finite);
   if (method_ == Method::gradient) {
     std::fill(next_v_.begin(), next_v_.end(), Vec3{});
     next_kinetic_ = 0;
   }
-  const bool finite = std::isfinite(energy + next_kinetic_);
-  if (!finite) return undo(Ending::not_finite);
+  if (!std::isfinite(energy + next_kinetic_)) return undo(Ending::not_finite);
   if (rises_from_nowhere(energy, next_kinetic_)) return undo(Ending::stuck);
+  accept(dt, energy);
+  return Ending::step_limit;
+}
+
+void Motion::accept(double dt, double energy) {
+  if (!errors_.empty()) remember_volumes(dt);
   std::swap(x_, next_x_);
   std::swap(v_, next_v_);
   std::swap(pressures_, next_pressures_);
@@ -264,13 +299,21 @@ Ending Motion::step(double dt) {
   scene::advance_targets(scene_, scene_.time);
   for (std::size_t i = 0; i < pressures_.size(); ++i)
     scene_.body(terms_.constrained()[i]).pressure = pressures_[i];
+  watch_.lap(times_.other);
   sound_ = linearise();
-  return Ending::step_limit;
+  watch_.lap(times_.volumes);
+  times_.steps += 1;
+  times_.facets += static_cast<double>(terms_.triangle_count());
 }
 
 double Motion::fitness() const {
-  const double time = method_ == Method::gradient ? std::sqrt(bound_) : bound_;
+  const double time = method_ == Method::gradient ? std::sqrt(2 * bound_) : bound_;
   return mass_ > 0 ? time / std::sqrt(mass_ / static_cast<double>(terms_.triangle_count())) : 0;
+}
+
+double Motion::stiffness_at(double fitness) const {
+  const double facets = static_cast<double>(terms_.triangle_count());
+  return 4 * facets / (mass_ * fitness * fitness);  // 2/root(rate) over root(mass/facets) is the fitness
 }
 
 double Motion::volume_error() const {
@@ -285,6 +328,8 @@ double Motion::volume_error() const {
 void Motion::store() {
   std::copy(x_.begin(), x_.end(), scene_.film.edit_positions().begin());
   store_motion(scene_.film, masses_, v_);
+  memory_.store(scene_);
+  forces_.store(scene_);
 }
 
 }  // namespace lamella::evolution

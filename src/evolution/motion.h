@@ -1,11 +1,16 @@
 // One film in motion: the state between steps, and the step.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "energy/film_energy.h"
 #include "evolution/balance.h"
 #include "evolution/external_forces.h"
+#include "evolution/implicit.h"
+#include "evolution/paper_correction.h"
+#include "evolution/step_times.h"
+#include "evolution/volume_memory.h"
 #include "scene/scene.h"
 #include "solve/gram_solver.h"
 #include "solve/problem.h"
@@ -19,6 +24,20 @@ enum class Method {
   euler,     // symplectic Euler, as in the paper
   verlet,    // velocity Verlet with constraints (RATTLE): the same path, velocities at whole steps
   gradient,  // parabolic: mean curvature flow, velocities play no part
+  implicit,  // linearly implicit Euler: stable at any step, takes energy from what swings faster
+  midpoint,  // implicit midpoint: keeps energy at steps beyond the explicit bound
+};
+
+constexpr bool is_implicit(Method method) {
+  return method == Method::implicit || method == Method::midpoint;
+}
+
+// How volumes are kept in a step.
+enum class VolumeMode {
+  automatic,  // lagged as long as that misses no volume by more than 1e-10 of it, else exact
+  lagged,     // in one pass: what the step leaves is foreseen, and what that misses goes into the next step
+  exact,      // repeated along the gradients at the start of the step until volumes are right to 1e-12
+  paper,      // once, along averaged normals at the end of the step (evolution/paper_correction.h)
 };
 
 // The motion of one scene on one connectivity. Positions and velocities are double-buffered, so that undoing
@@ -27,18 +46,23 @@ enum class Method {
 // A step of symplectic Euler, with gradients g of the energy and G of the volumes taken at its start, masses
 // m, pressures p, accelerations f by outer forces:
 //
-//   v' = exp(-damping dt) (v + dt f - dt/m (g - p G))        the pressures of the step before serve as a
-//   guess x' = x + dt v' until the volumes at x' are right:  lambda from (G 1/m G^T) lambda = V_target -
-//   V(x'),
-//       x' += 1/m G^T lambda,   v' += 1/(m dt) G^T lambda,   p += lambda/dt^2
+//   v' = exp(-damping dt) (v + dt f - dt/m (g - p G))     with the pressures of the step before,
+//   v' += 1/m G^T lambda,  p += lambda/dt                 (G 1/m G^T) lambda = (V_target - V - q)/dt - G v',
+//   x' = x + dt v'
 //
-// One sweep for g, G, volumes and the stability bound, and mostly one more for the volumes at x'. Verlet
-// makes the first half of the kick before, the second after the move, there with velocities projected so that
-// they keep the volumes (H. C. Andersen, "Rattle: a velocity version of the Shake algorithm", Journal of
-// Computational Physics 52, 1983). The gradient flow moves by dt/m (p G - g) + dt f.
+// where q is what the last steps had beyond first order (evolution/volume_memory.h). One sweep gives g, G,
+// volumes and the stability bound. Where volumes are wanted exact, those at x' are measured and the same G
+// and factors serve to correct x' and v', until they are right.
+//
+// Verlet makes the first half of the kick before, the second after the move, there with velocities projected
+// so that they keep the volumes (H. C. Andersen, "Rattle: a velocity version of the Shake algorithm", Journal
+// of Computational Physics 52, 1983). The gradient flow moves by dt/m (p G - g) + dt f. The implicit methods
+// are in evolution/implicit.h; what they leave of the volumes is corrected in the same way.
 class Motion {
  public:
-  explicit Motion(scene::Scene& scene, Method method = Method::euler);
+  explicit Motion(scene::Scene& scene, Method method = Method::euler,
+                  VolumeMode volumes = VolumeMode::automatic);
+  ~Motion();
 
   // The largest stable step at the present shape: 2/sqrt(max s_v/m_v) over the vertices that move, without
   // the root for the gradient flow.
@@ -46,36 +70,59 @@ class Motion {
   // The bound without units: over the time that a film as massive and as finely divided takes to swing. About
   // 1.2 for equilateral triangles at tension 1, small where slivers choke the steps; refinement leaves it.
   double fitness() const;
+  // The stiffness over mass of a vertex that would give the mesh this fitness.
+  double stiffness_at(double fitness) const;
   // Moves by dt, which should lie below the bound; the scene's time and pressures follow. Anything but
   // Ending::step_limit means that nothing has changed: the result would not be finite, its volumes could not
   // be kept, or its energy would have risen from nowhere.
   solve::Ending step(double dt);
+  // The largest step that the method survives by linear theory: the bound, or any.
+  double largest_step() const { return is_implicit(method_) ? HUGE_VAL : bound_; }
   // Copies positions, velocities and masses to the scene.
   void store();
 
   double energy() const { return energy_; }
   double kinetic() const { return kinetic_; }
   double volume_error() const;
+  const StepTimes& times() const { return times_; }
   Balance balance() const { return evolution::balance(x_, v_, masses_); }
 
  private:
   bool linearise();
   void weigh();
-  void kick_and_drift(double kick, double drift);
+  bool propose(double dt);
+  void kick(double dt);
+  void drift(double dt);
   void descend(double dt);
   bool second_kick(double dt);
-  void project_velocities(double dt);
-  void correct(double dt);
+  bool settle_velocities(double dt);
+  bool implicit_step(double dt);
   bool keep_constraints(double dt);
   solve::Ending undo(solve::Ending why);
-  bool keep_volumes(double dt);
   bool rises_from_nowhere(double energy, double kinetic) const;
+  void accept(double dt, double energy);
+
+  // In motion_volumes.cpp.
+  double target(std::size_t row, double time) const;
+  void impose_volumes(double dt);
+  void project_velocities(double dt);
+  void correct(double dt);
+  bool keep_volumes(double dt);
+  bool look_at_volumes(double dt, double& worst);
+  bool correct_as_paper(double dt);
+  bool missed_too_far(double dt) const;
+  void remember_volumes(double dt);
+  double pressure_span(double dt) const;
 
   scene::Scene& scene_;
   Method method_;
+  VolumeMode volume_mode_;
   energy::FilmEnergy terms_;
   ExternalForces forces_;
   solve::GramSolver gram_;
+  VolumeMemory memory_;
+  std::unique_ptr<PaperCorrection> paper_;
+  std::unique_ptr<ImplicitSolver> implicit_;
   std::vector<double> gram_values_;
   std::vector<double> masses_;
   std::vector<double> ones_;
@@ -87,6 +134,9 @@ class Motion {
   std::vector<Vec3> pushes_;  // accelerations by outer forces; empty without them
   std::vector<double> errors_;
   std::vector<double> multipliers_;
+  std::vector<double> present_;   // volumes at x_
+  std::vector<double> foreseen_;  // volumes that the step being made would have to first order
+  std::vector<double> reached_;   // and those it had, before what was left was corrected
   std::vector<double> pressures_;
   std::vector<double> next_pressures_;
   double energy_ = 0;
@@ -96,7 +146,10 @@ class Motion {
   double damped_ = 0;  // energy that damping takes in it
   double bound_ = 0;
   double mass_ = 0;
-  double pass_rate_ = 1;  // how much of a volume error a correction leaves
+  double pass_rate_ = 1;   // how much of a volume error a correction leaves
+  bool one_pass_ = false;  // the step being made does not look at its volumes
+  StepTimes times_;
+  Stopwatch watch_;
   bool sound_ = false;
   bool pushed_soundly_ = true;  // outer forces are finite
 };

@@ -1,5 +1,6 @@
 #include "evolution/upkeep.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +17,10 @@ namespace {
 
 constexpr int most_flip_passes = 5;
 constexpr int rounds = 3;  // of flips and averaging
+constexpr int rings = 2;   // around vertices that are too stiff
+// The kinetic energy pays for, or takes, what the new mesh's potential energy differs by, up to this factor
+// of velocities.
+constexpr double most_scaling = 1.2;
 
 // Velocities where vertices have gone by `moves`: each is a mean over the neighbours that lie ahead, exact
 // for velocities that are linear along the move.
@@ -53,42 +58,151 @@ bool restore_volumes(scene::Scene& scene) {
   return ok;
 }
 
-// Masses by the present areas, of the same total.
-std::vector<double> spread_mass(const scene::Scene& scene, double total) {
+// Masses by the present areas where the mesh was changed, of the same total there; as they were elsewhere.
+std::vector<double> masses_after(const scene::Scene& scene, const std::vector<std::uint8_t>& chosen) {
   energy::FilmEnergy terms(scene);
   terms.gradient(scene.film.positions());
-  std::vector<double> masses(scene.film.vertex_rows());
+  const std::span<const double> before = scene.film.columns(film::ElementKind::vertex).reals("mass");
+  std::vector<double> masses(before.begin(), before.end());
   double area = 0;
-  for (const energy::VertexLine& line : terms.lines()) area += line.area;
-  for (std::size_t v = 0; v < masses.size(); ++v)
-    masses[v] = area > 0 ? terms.lines()[v].area * (total / area) : 0;
+  double mass = 0;
+  for (std::size_t v = 0; v < masses.size(); ++v) {
+    if (chosen[v] == 0) continue;
+    area += terms.lines()[v].area;
+    mass += masses[v];
+  }
+  for (std::size_t v = 0; v < masses.size(); ++v) {
+    if (chosen[v] != 0) masses[v] = area > 0 ? terms.lines()[v].area * (mass / area) : 0;
+  }
   return masses;
+}
+
+double potential_energy(const scene::Scene& scene) {
+  energy::FilmEnergy terms(scene);
+  return terms.value(scene.film.positions());
+}
+
+// The vertices that are too stiff, and those near them.
+std::vector<std::uint8_t> stiff_places(const scene::Scene& scene, double limit) {
+  energy::FilmEnergy terms(scene);
+  terms.gradient(scene.film.positions());
+  const std::span<const double> masses = scene.film.columns(film::ElementKind::vertex).reals("mass");
+  std::vector<std::uint8_t> chosen(scene.film.vertex_rows());
+  for (std::size_t v = 0; v < chosen.size(); ++v)
+    chosen[v] = masses[v] > 0 && terms.lines()[v].stiffness > limit * masses[v] ? 1 : 0;
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<std::uint8_t> inner = chosen;
+    for (const auto& corners : scene.film.connectivity().triangle_vertices) {
+      const bool touched =
+          std::any_of(corners.begin(), corners.end(), [&](film::Vertex v) { return inner[v.index] != 0; });
+      if (!touched) continue;
+      for (const film::Vertex v : corners) chosen[v.index] = 1;
+    }
+  }
+  return chosen;
+}
+
+// Rings of sides begin with the lowest, as in a film that was just loaded: what follows is then the same.
+void begin_rings_alike(film::Film& film) {
+  std::vector<film::Side> ring;
+  for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
+    ring.clear();
+    film.for_each_side(film::Edge(e), [&](film::Side side) { ring.push_back(side); });
+    if (ring.size() < 2) continue;
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    film.set_ring(film::Edge(e), ring);
+  }
+}
+
+int flip_there(film::Film& film, const std::vector<std::uint8_t>& chosen) {
+  int flips = 0;
+  for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
+    const film::Edge edge(e);
+    const bool there =
+        film.alive(edge) && chosen[film.ends(edge)[0].index] != 0 && chosen[film.ends(edge)[1].index] != 0;
+    if (there && surgery::equiangulate(film, edge)) ++flips;
+  }
+  return flips;
+}
+
+// The velocity field of a rigid body with the same momentum and angular momentum.
+struct RigidMotion {
+  Vec3 centre;
+  Vec3 velocity;
+  Vec3 turn;
+  Vec3 at(const Vec3& point) const { return velocity + cross(turn, point - centre); }
+};
+
+RigidMotion rigid_motion(const Balance& whole, std::span<const Vec3> x, std::span<const double> masses) {
+  RigidMotion motion;
+  for (std::size_t v = 0; v < x.size(); ++v) motion.centre += (masses[v] / whole.mass) * x[v];
+  motion.velocity = whole.momentum / whole.mass;
+  const Vec3 about = whole.angular_momentum - cross(motion.centre, whole.momentum);
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    const Eigen::Vector3d r(x[v].x - motion.centre.x, x[v].y - motion.centre.y, x[v].z - motion.centre.z);
+    inertia += masses[v] * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  }
+  const Eigen::Vector3d turn =
+      inertia.completeOrthogonalDecomposition().solve(Eigen::Vector3d(about.x, about.y, about.z));
+  motion.turn = {turn[0], turn[1], turn[2]};
+  return motion;
+}
+
+// Momenta and energy as before; `change` is what the potential energy rose by.
+void restore_motion(std::span<const Vec3> x, std::span<const double> masses, const Balance& before,
+                    double change, bool free, std::vector<Vec3>& speeds) {
+  if (!(before.mass > 0)) return;
+  const Balance now = balance(x, speeds, masses);
+  RigidMotion wanted;
+  RigidMotion found;
+  if (free) {
+    Balance moved = before;
+    moved.mass = now.mass;
+    wanted = rigid_motion(moved, x, masses);
+    found = rigid_motion(now, x, masses);
+  }
+  double rigid = 0;
+  double rest = 0;
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    speeds[v] -= found.at(x[v]);
+    rest += 0.5 * masses[v] * squared_length(speeds[v]);
+    rigid += 0.5 * masses[v] * squared_length(wanted.at(x[v]));
+  }
+  const double squared = rest > 0 ? (before.kinetic - change - rigid) / rest : 1;
+  const bool payable = squared < most_scaling * most_scaling && squared * most_scaling * most_scaling > 1;
+  const double factor = payable ? std::sqrt(squared) : 1;
+  for (std::size_t v = 0; v < x.size(); ++v) speeds[v] = wanted.at(x[v]) + factor * speeds[v];
 }
 
 }  // namespace
 
-bool keep_mesh_in_motion(scene::Scene& scene) {
+bool keep_mesh_in_motion(scene::Scene& scene, double limit) {
   film::Film& film = scene.film;
   const Balance before = balance(scene);
+  const double energy = potential_energy(scene);
+  const std::vector<std::uint8_t> chosen = stiff_places(scene, limit);
+  begin_rings_alike(film);
   std::vector<Vec3> speeds = velocities(film);
   std::vector<Vec3> moves(speeds.size());
   for (int round = 0; round < rounds; ++round) {
     for (int pass = 0; pass < most_flip_passes; ++pass) {
-      if (surgery::equiangulate(film) == 0) break;
+      if (flip_there(film, chosen) == 0) break;
     }
     const std::vector<Vec3> old(film.positions().begin(), film.positions().end());
     surgery::average_vertices(film);
-    for (std::size_t v = 0; v < old.size(); ++v) moves[v] = film.positions()[v] - old[v];
+    for (std::size_t v = 0; v < old.size(); ++v) {
+      if (chosen[v] == 0) film.edit_positions()[v] = old[v];
+      moves[v] = film.positions()[v] - old[v];
+    }
     speeds = carried_along(film, old, moves, speeds);
   }
   if (!restore_volumes(scene)) return false;
-  const std::vector<double> masses = spread_mass(scene, before.mass);
+  const std::vector<double> masses = masses_after(scene, chosen);
   const auto fixed = film.columns(film::ElementKind::vertex).flags("fixed");
-  const bool free = std::none_of(fixed.begin(), fixed.end(), [](auto flag) { return flag != 0; });
-  if (free && before.mass > 0 && scene.level_sets.empty() && scene.boundaries.empty()) {
-    const Balance now = balance(film.positions(), speeds, masses);
-    for (Vec3& speed : speeds) speed += (before.momentum - now.momentum) / before.mass;
-  }
+  const bool free = std::none_of(fixed.begin(), fixed.end(), [](auto flag) { return flag != 0; }) &&
+                    scene.level_sets.empty() && scene.boundaries.empty();
+  restore_motion(film.positions(), masses, before, potential_energy(scene) - energy, free, speeds);
   store_motion(film, masses, speeds);
   return true;
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "film/vec3.h"
 #include "language/formula.h"
 
 namespace lamella::scene {
@@ -24,6 +26,21 @@ struct VectorFormula {
 // The names that VectorFormula reads besides coordinates and time, in this order.
 inline const std::vector<std::string> vertex_state_names = {"vx", "vy", "vz", "nx", "ny", "nz"};
 
+// A box of moving air on a grid that repeats in all directions (src/air). Fans and jets are formulas in x, y,
+// z, total_time and the scene's variables.
+struct Air {
+  int cells = 32;  // along each axis
+  film::Vec3 from{-2, -2, -2};
+  film::Vec3 to{2, 2, 2};
+  std::optional<VectorFormula> fan;  // force per mass of air
+  std::optional<VectorFormula> jet;  // velocity that the air is given wherever this is not zero
+  double viscosity = 0;              // area per time
+  double pressure = 1;               // as `wind_pressure`
+  // One a cell, x fastest, at the middle of the cells; absent while the air has not moved. `time` is when.
+  std::shared_ptr<const std::vector<film::Vec3>> velocity;
+  double time = 0;
+};
+
 struct Forces {
   // Force per area of film: the acceleration, as the film's mass is its area.
   std::optional<VectorFormula> force;
@@ -31,8 +48,9 @@ struct Forces {
   // air's velocity relative to the film; of bubbles only where the wind comes from outside.
   std::optional<VectorFormula> wind;
   double wind_pressure = 1;
+  std::optional<Air> air;
 
-  bool empty() const { return !force && !wind; }
+  bool empty() const { return !force && !wind && !air; }
 };
 
 }  // namespace lamella::scene

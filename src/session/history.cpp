@@ -63,9 +63,20 @@ bool procedures_differ(const language::Procedures& a, const language::Procedures
   });
 }
 
-std::string forces_text(const scene::Forces& forces) {
-  return fmt::format("{}|{}|{}", forces.force ? forces.force->text() : "",
-                     forces.wind ? forces.wind->text() : "", forces.wind_pressure);
+std::string text_of(const std::optional<scene::VectorFormula>& formula) {
+  return formula ? formula->text() : std::string{};
+}
+
+bool air_differs(const std::optional<scene::Air>& a, const std::optional<scene::Air>& b) {
+  if (!a || !b) return a.has_value() != b.has_value();
+  return a->cells != b->cells || a->from != b->from || a->to != b->to || text_of(a->fan) != text_of(b->fan) ||
+         text_of(a->jet) != text_of(b->jet) || a->viscosity != b->viscosity || a->pressure != b->pressure ||
+         a->velocity != b->velocity || a->time != b->time;
+}
+
+bool forces_differ(const scene::Forces& a, const scene::Forces& b) {
+  return text_of(a.force) != text_of(b.force) || text_of(a.wind) != text_of(b.wind) ||
+         a.wind_pressure != b.wind_pressure || air_differs(a.air, b.air);
 }
 
 bool quantities_differ(const scene::Scene& a, const scene::Scene& b) {
@@ -82,9 +93,8 @@ bool settings_differ(const scene::Scene& a, const scene::Scene& b) {
          a.level_sets.size() != b.level_sets.size() || a.boundaries.size() != b.boundaries.size() ||
          a.gap_constant != b.gap_constant || a.edge_integral_order != b.edge_integral_order ||
          a.damping != b.damping || a.mass_of_area != b.mass_of_area || a.work != b.work ||
-         a.mesh_fitness != b.mesh_fitness || forces_text(a.forces) != forces_text(b.forces) ||
-         a.name != b.name || quantities_differ(a, b) ||
-         a.view_transforms.expression != b.view_transforms.expression ||
+         a.mesh_fitness != b.mesh_fitness || forces_differ(a.forces, b.forces) || a.name != b.name ||
+         quantities_differ(a, b) || a.view_transforms.expression != b.view_transforms.expression ||
          a.view_transforms.on != b.view_transforms.on;
 }
 

@@ -10,6 +10,10 @@ namespace lamella::solve {
 namespace {
 
 constexpr int most_dense_rows = 40;
+// Cells that share only a vertex couple too, so that factors fill: beyond this they cost more than
+// iterations.
+constexpr int most_factorised_rows = 200;
+constexpr double iterated_to = 1e-9;
 
 using Map = Eigen::Map<const Eigen::VectorXd>;
 
@@ -22,18 +26,22 @@ Map vector_of(std::span<const double> values) {
 struct GramSolver::Work {
   std::vector<energy::GramEntry> pattern;
   int rows = 0;
+  bool iterates = false;
   Eigen::MatrixXd dense;
   Eigen::LDLT<Eigen::MatrixXd> dense_factor;
   Eigen::SparseMatrix<double> sparse;  // lower triangle
   std::vector<double*> place;          // of each pattern entry in `sparse`
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> sparse_factor;
 
+  Eigen::VectorXd inverse_diagonal;
+
   bool is_dense() const { return rows <= most_dense_rows; }
 };
 
-GramSolver::GramSolver(int rows, const std::vector<energy::GramEntry>& pattern)
+GramSolver::GramSolver(int rows, const std::vector<energy::GramEntry>& pattern, Kind kind)
     : work_(std::make_unique<Work>()) {
   work_->rows = rows;
+  work_->iterates = kind == Kind::fastest && rows > most_factorised_rows;
   work_->pattern = pattern;
   if (work_->is_dense()) {
     work_->dense = Eigen::MatrixXd::Zero(rows, rows);
@@ -46,7 +54,7 @@ GramSolver::GramSolver(int rows, const std::vector<energy::GramEntry>& pattern)
   work_->sparse.setFromTriplets(triplets.begin(), triplets.end());
   for (const energy::GramEntry& entry : pattern)
     work_->place.push_back(&work_->sparse.coeffRef(entry.row, entry.column));
-  work_->sparse_factor.analyzePattern(work_->sparse);
+  if (!work_->iterates) work_->sparse_factor.analyzePattern(work_->sparse);
 }
 
 GramSolver::~GramSolver() = default;
@@ -73,11 +81,41 @@ bool GramSolver::factorise(std::span<const double> values) {
     const bool idle = w.pattern[i].row == w.pattern[i].column && values[i] == 0;
     *w.place[i] = idle ? 1.0 : values[i];
   }
+  if (w.iterates) {
+    w.inverse_diagonal = w.sparse.diagonal().cwiseInverse();
+    return w.inverse_diagonal.allFinite() && w.inverse_diagonal.minCoeff() > 0;
+  }
   w.sparse_factor.factorize(w.sparse);
   if (w.sparse_factor.info() != Eigen::Success) return false;
   const Eigen::VectorXd d = w.sparse_factor.vectorD();
   return d.allFinite() && d.minCoeff() > 1e-14 * d.maxCoeff();
 }
+
+namespace {
+
+// Conjugate gradients preconditioned by the diagonal, from 0: callers give what is left after a good guess.
+Eigen::VectorXd iterate(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& inverse_diagonal,
+                        Eigen::VectorXd residual) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(residual.size());
+  Eigen::VectorXd scaled = inverse_diagonal.cwiseProduct(residual);
+  Eigen::VectorXd direction = scaled;
+  Eigen::VectorXd image(residual.size());
+  double product = residual.dot(scaled);
+  const double enough = iterated_to * iterated_to * product;
+  for (Eigen::Index i = 0; i < residual.size() && product > enough; ++i) {
+    image.noalias() = lower.selfadjointView<Eigen::Lower>() * direction;
+    const double length = product / direction.dot(image);
+    result += length * direction;
+    residual -= length * image;
+    scaled = inverse_diagonal.cwiseProduct(residual);
+    const double next = residual.dot(scaled);
+    direction = scaled + (next / product) * direction;
+    product = next;
+  }
+  return result;
+}
+
+}  // namespace
 
 void GramSolver::solve(std::span<const double> right, std::span<double> multipliers) const {
   const Work& w = *work_;
@@ -85,6 +123,8 @@ void GramSolver::solve(std::span<const double> right, std::span<double> multipli
   Eigen::Map<Eigen::VectorXd> result(multipliers.data(), static_cast<Eigen::Index>(multipliers.size()));
   if (w.is_dense()) {
     result = w.dense_factor.solve(vector_of(right));
+  } else if (w.iterates) {
+    result = iterate(w.sparse, w.inverse_diagonal, vector_of(right));
   } else {
     result = w.sparse_factor.solve(vector_of(right));
   }

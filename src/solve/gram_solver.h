@@ -1,6 +1,7 @@
 // Solves for the multipliers of volume constraints: a small symmetric system, one row a body.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -14,7 +15,11 @@ namespace lamella::solve {
 // leaves the others untouched.
 class GramSolver {
  public:
-  GramSolver(int rows, const std::vector<energy::GramEntry>& pattern);
+  enum class Kind : std::uint8_t {
+    factors,  // always
+    fastest,  // beyond some two hundred rows by conjugate gradients, to 1e-9 of the right-hand side
+  };
+  GramSolver(int rows, const std::vector<energy::GramEntry>& pattern, Kind kind = Kind::factors);
   ~GramSolver();
   GramSolver(GramSolver&&) noexcept;
   GramSolver& operator=(GramSolver&&) noexcept;

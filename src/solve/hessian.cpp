@@ -352,6 +352,12 @@ void ConstrainedHessian::add_borders(const Problem& problem, const Basis& basis)
   for (std::size_t i = 0; i < constraints_; ++i) value(column(unknowns_ + i)) = squared[i] > 0 ? 0 : -1;
 }
 
+void ConstrainedHessian::set_mass(std::span<const double> masses, const Basis& basis) {
+  for (std::size_t v = 0; v < masses.size(); ++v) {
+    for (std::size_t i = basis.first(v); i < basis.first(v + 1); ++i) mass_[i] = masses[v];
+  }
+}
+
 void ConstrainedHessian::set_shift(double shift) {
   for (std::size_t i = 0; i < unknowns_; ++i) value(column(i)) += (shift - shift_) * mass_[i];
   shift_ = shift;

@@ -29,6 +29,8 @@ class ConstrainedHessian {
   // At the positions of the problem's last `linearise` and `descent_direction`, with its pressures; one pass
   // over the triangles.
   void assemble(const Problem& problem, const Basis& basis, std::span<const Vec3> x);
+  // Takes other masses than areas, one a vertex, before a shift is set; until the next `assemble`.
+  void set_mass(std::span<const double> masses, const Basis& basis);
   // Sets the shift; 0 after `assemble`.
   void set_shift(double shift);
 

@@ -72,5 +72,53 @@ TEST(Evolve, Refuses) {
   EXPECT_EQ(trial.number("total_time"), 0);
 }
 
+// --- wires that move
+
+TEST(Evolve, RingsThatArePulledApartCarryTheirVertices) {
+  Trial trial("moving_rings.fe");
+  trial.out("refine 2; relax; damping := 1; speed := 0.04; start := total_time; evolve 50 dt 0.01");
+  EXPECT_NEAR(trial.number("max(vertices, z)"), 0.28 + 0.04 * 0.5, 1e-12);
+  EXPECT_NEAR(trial.number("max(vertices where fixed, abs(abs(velocity[3]) - 0.04))"), 0, 1e-9);
+  EXPECT_NEAR(trial.number("max(vertices where fixed, abs(velocity[1]))"), 0, 1e-9);
+  // The film between follows, slower towards the middle.
+  EXPECT_LT(trial.number("max(vertices where abs(z) < 0.05, abs(velocity[3]))"), 0.02);
+}
+
+TEST(Evolve, AFrameThatTwistsCarriesItsVertices) {
+  Trial trial("twisting_frame.fe");
+  trial.out("refine 3; turning := 0.5; evolve 100 dt 0.005");
+  // The corner at p = (1, 1) turns at 0.5: |velocity| = 0.5, square to its arm. Velocities are those half a
+  // step ago.
+  EXPECT_NEAR(trial.number("vertex[3].velocity[2]"), -0.5 * std::sin(0.5 * 0.4975), 1e-6);
+  EXPECT_NEAR(trial.number("vertex[3].velocity[3]"), 0.5 * std::cos(0.5 * 0.4975), 1e-6);
+  EXPECT_EQ(trial.number("vertex[1].velocity[3]^2 + vertex[1].velocity[2]^2"), 0);
+}
+
+TEST(Evolve, ARingThatIsSweptDragsItsFilmBehind) {
+  Trial trial("swept_ring.fe");
+  trial.out("refine 3; evolve 100 dt 0.005");
+  EXPECT_NEAR(trial.number("max(vertices where fixed, abs(velocity[3] - 1))"), 0, 1e-9);
+  EXPECT_NEAR(trial.number("min(vertices where fixed, z)"), 0.5, 1e-12);
+  EXPECT_LT(trial.number("min(vertices, z)"), 0.3);
+}
+
+// A level set that rises carries vertices along its normal and leaves them free to slide.
+TEST(Evolve, ATableThatRisesCarriesTheDrop) {
+  Trial trial;
+  const Folder folder;
+  std::string drop = file_content(datafile("drop_on_table.fe"));
+  trial.out("load \"" + datafile("drop_on_table.fe") + "\"; refine 2; relax; save \"" + (folder / "a.fe") +
+            "\"");
+  drop = file_content(folder / "a.fe");
+  const std::size_t formula = drop.find("formula:");
+  const std::size_t end = drop.find('\n', formula);
+  const std::string table = drop.substr(formula + 8, end - formula - 8);
+  drop.replace(formula, end - formula,
+               "formula: " + table + (table.find('=') == std::string::npos ? "" : " + ") + " 0.2*total_time");
+  trial.out("load \"" + folder.write("b.fe", drop) + "\"; evolve 50 dt 0.004");
+  EXPECT_NEAR(trial.number("min(vertices, z)"), 0.2 * 0.2, 1e-10);
+  EXPECT_NEAR(trial.number("max(vertices where z < 0.0401, abs(velocity[3] - 0.2))"), 0, 1e-8);
+}
+
 }  // namespace
 }  // namespace lamella::trial

@@ -37,6 +37,22 @@ TEST(Force, IsPrintedTakenBackAndTurnedOff) {
   EXPECT_EQ(trial.out("force"), "force off\n");
 }
 
+TEST(Force, IsSavedWithTheWindAndTheirVariables) {
+  Trial trial("cube.fe");
+  const Folder folder;
+  const std::string file = folder / "saved.fe";
+  trial.out("k := 2");
+  trial.out("force (x, -k*vy, sin(total_time)); wind (0, k, nx) pressure 3; save \"" + file + "\"");
+  Trial other;
+  other.out("load \"" + file + "\"");
+  EXPECT_EQ(other.out("force"), trial.out("force"));
+  EXPECT_EQ(other.out("wind"), trial.out("wind"));
+  EXPECT_EQ(other.number("k"), 2);
+  const std::string wrong =
+      folder.write("wrong.fe", "parameter lamella_force = \"0, 0\"\n" + file_content(file));
+  EXPECT_TRUE(contains(other.failure("load \"" + wrong + "\""), "is three formulas"));
+}
+
 TEST(Force, Refuses) {
   Trial trial("cube.fe");
   EXPECT_TRUE(contains(trial.failure("force (0, 0)"), "expected \",\", found \")\""));

@@ -20,13 +20,15 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"energy", {"scene", "film", "language", "text"}},
     {"solve", {"energy", "scene", "film", "language", "text"}},
     {"surgery", {"energy", "scene", "film", "language", "text"}},
-    {"evolution", {"solve", "surgery", "energy", "scene", "film", "language", "text"}},
+    {"air", {"scene", "film", "language", "text"}},
+    {"evolution", {"air", "solve", "surgery", "energy", "scene", "film", "language", "text"}},
     {"datafile", {"scene", "film", "language", "text"}},
     {"picture", {"scene", "film", "language", "text"}},
-    {"chart", {"datafile", "evolution", "solve", "surgery", "energy", "scene", "film", "language", "text"}},
+    {"chart",
+     {"air", "datafile", "evolution", "solve", "surgery", "energy", "scene", "film", "language", "text"}},
     {"session",
-     {"chart", "datafile", "evolution", "picture", "solve", "surgery", "energy", "scene", "film", "language",
-      "text"}},
+     {"air", "chart", "datafile", "evolution", "picture", "solve", "surgery", "energy", "scene", "film",
+      "language", "text"}},
 };
 
 // The folders named in the quoted includes of a file.

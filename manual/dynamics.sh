@@ -1,0 +1,143 @@
+#!/bin/sh
+# Makes what manual/dynamics.md shows: tables in manual/dynamics/*.csv and charts in manual/pictures. Takes some
+# minutes on a quiet machine.
+#
+#   sh manual/dynamics.sh [PROGRAM] [PART ...]      build/lamella unless given; parts: accuracy drift volumes bounds cost
+set -eu
+cd "$(dirname "$0")/.."
+program=${1:-build/lamella}
+[ $# -gt 0 ] && shift
+parts=${*:-"accuracy drift volumes bounds cost"}
+mkdir -p manual/dynamics
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# A bubble that swings in mode 2, of 1536 facets unless told otherwise.
+swing='relax; kick (0.1*(x-0.5), 0.1*(y-0.5), -0.2*(z-0.5))'
+places='foreach vertex vv do printf "%.17g %.17g %.17g\n", vv.x, vv.y, vv.z'
+
+# plot NAME "settings" "columns": a picture of manual/dynamics/NAME.csv, a curve for each of its first words
+plot() {
+  names=$(awk -F, 'NR > 1 && !seen[$1]++ { printf "%s ", $1 }' "manual/dynamics/$1.csv")
+  {
+    echo "set terminal svg size 800,560 dynamic background 'white' noenhanced"
+    echo "set output 'manual/pictures/$1.svg'"
+    echo "set datafile separator ','; set key outside right; set grid; set logscale xy; $2"
+    printf 'plot '
+    first=1
+    for name in $names; do
+      [ $first = 1 ] || printf ', '
+      first=0
+      printf "'< grep ^%s, manual/dynamics/%s.csv' using %s with linespoints pointtype 7 pointsize 0.5 title '%s'" \
+        "$name" "$1" "$3" "$name"
+    done
+    echo
+  } | gnuplot
+}
+
+# Error of the places at time 1 (half a period) against Verlet with a tenth of its shortest step, over CPU seconds.
+accuracy() {
+  time=1
+  run() {  # METHOD STEPS: places into $scratch/places, seconds on standard output
+    "$program" -q datafiles/cube.fe -e "refine 3; $swing; start := clock;
+      evolve $2 dt=$time/$2 method=$1 volumes=exact keep_mesh; printf \"%g\n\", clock-start; $places" >"$scratch/out" || return 1
+    sed -n 1p "$scratch/out"
+    sed 1d "$scratch/out" >"$scratch/places"
+  }
+  run verlet 16000 >/dev/null
+  mv "$scratch/places" "$scratch/exact"
+  echo "method,steps,dt,seconds,error" >manual/dynamics/accuracy.csv
+  for method in euler verlet implicit midpoint; do
+    case $method in
+      euler | verlet) counts="50 100 200 400 800 1600" ;;
+      *) counts="5 10 20 40 80 160" ;;
+    esac
+    for steps in $counts; do
+      seconds=$(run $method $steps) || continue
+      error=$(paste -d ' ' "$scratch/places" "$scratch/exact" |
+        awk '{ s += ($1-$4)^2 + ($2-$5)^2 + ($3-$6)^2 } END { printf "%.6g", sqrt(s/NR) }')
+      echo "$method,$steps,$(awk "BEGIN { print $time/$steps }"),$seconds,$error" >>manual/dynamics/accuracy.csv
+    done
+  done
+  plot accuracy "set xlabel 'processor time, s'; set ylabel 'error of the places at time 1'" 4:5
+}
+
+# Largest departure of the total energy in 10 periods, in parts of the energy that swings, over the step.
+drift() {
+  echo "method,dt,departure" >manual/dynamics/drift.csv
+  for method in euler verlet implicit midpoint; do
+    case $method in
+      euler | verlet) steps="0.02 0.01 0.005 0.0025" ;;
+      *) steps="0.16 0.08 0.04" ;;
+    esac
+    for dt in $steps; do
+      "$program" -q datafiles/cube.fe -e "refine 3; relax; rest := total_energy; $swing; evolve 1 dt=1e-9;
+        whole := total_energy + kinetic_energy - rest; log \"$scratch/log.csv\"; evolve ceil(19.5/$dt) dt=$dt method=$method keep_mesh;
+        printf \"%.12g %.12g\n\", rest, whole" >"$scratch/whole" || continue
+      departure=$(awk -F, -v text="$(cat "$scratch/whole")" 'BEGIN { split(text, w, " ") }
+        NR > 1 { d = ($5 - w[1] - w[2])/w[2]; if (d < 0) d = -d; if (d > m) m = d } END { printf "%.4g", m }' "$scratch/log.csv")
+      echo "$method,$dt,$departure" >>manual/dynamics/drift.csv
+    done
+  done
+  plot drift "set xlabel 'step'; set ylabel 'largest departure of the energy, parts of what swings'" 2:3
+}
+
+# Ways of keeping volumes: cost, error, energy.
+volumes() {
+  echo "way,scene,facets,us_a_step,volume_error,energy_departure" >manual/dynamics/volumes.csv
+  for way in auto lagged exact paper paper_area; do
+    for scene in "cube.fe 4" "double_bubble.fe 3"; do
+      set -- $scene
+      mass=carried
+      [ $way = paper_area ] && mass=area
+      "$program" -q "datafiles/$1" -e "refine $2; relax; mass $mass; kick (0.1*x, 0.1*y, -0.2*z); evolve 1 dt=1e-9; rest := total_energy+kinetic_energy;
+        log \"$scratch/log.csv\"; start := clock; evolve 500 volumes=${way%_area} keep_mesh; printf \"%d %g %.12g\n\", facet_count, 1e6*(clock-start)/500, rest" >"$scratch/out"
+      awk -F, -v way=$way -v scene="$1" -v text="$(tail -n 1 "$scratch/out")" 'BEGIN { split(text, w, " ") }
+        NR > 1 { if ($12 > e) e = $12; d = $5 - w[3]; if (d < 0) d = -d; if (d > m) m = d }
+        END { printf "%s,%s,%s,%.1f,%.2g,%.3g\n", way, scene, w[1], w[2], e, m/w[3] }' "$scratch/log.csv" >>manual/dynamics/volumes.csv
+    done
+  done
+  cat manual/dynamics/volumes.csv
+}
+
+# Predicted bound against the largest step that survives.
+bounds() {
+  echo "scene,method,facets,tension,bound,largest,ratio,failure" >manual/dynamics/bounds.csv
+  try() {  # NAME FILE COMMANDS METHODS
+    "$program" -q "$2" -e "$3; stability \"$scratch/chart.svg\" methods=\"$4\"" >/dev/null 2>"$scratch/message" || { cat "$scratch/message"; return 0; }
+    sed 1d "$scratch/chart.csv" | sed "s/^/$1,/" >>manual/dynamics/bounds.csv
+  }
+  some="euler,verlet,gradient,implicit,midpoint"
+  fast="euler,verlet,gradient"
+  try cubic_bubble datafiles/cube.fe "refine 3; relax" $some
+  try cubic_bubble_unrelaxed datafiles/cube.fe "refine 3" $fast
+  try double_bubble datafiles/double_bubble.fe "refine 3; relax" $some
+  try catenoid_rings datafiles/moving_rings.fe "refine 3; relax" $some
+  try frame datafiles/wire_cube.fe "refine 3; relax" $some
+  try six_bubbles datafiles/six_bubbles.fe "refine; relax 40" $fast
+  try slivers datafiles/cube.fe "refine 3; relax; set vertices x 0.5+0.1*(x-0.5) where z > 0.5; vc" $fast
+  try high_valence datafiles/motion/high_valence.fe "vc off" $fast
+  try obtuse datafiles/wire_cube.fe "refine 3; relax; shake 0.25" $fast
+  cat manual/dynamics/bounds.csv
+}
+
+# Nanoseconds a facet of processor time of a step, least of five.
+cost() {
+  echo "scene,facets,regions,ns_a_facet" >manual/dynamics/cost.csv
+  try() {  # NAME FILE COMMANDS STEPS
+    "$program" -q "$2" -e "$3; evolve 3; least := 1e9; for (i := 1; i <= 5; i += 1) { start := clock; evolve $4; least := minimum(least, clock-start) };
+      printf \"$1,%d,%d,%.2f\n\", facet_count, body_count, 1e9*least/$4/facet_count" | tail -n 1 | tee -a manual/dynamics/cost.csv
+  }
+  try six_bubbles datafiles/six_bubbles.fe "refine" 200
+  for n in 2 5 9 17; do
+    sh datafiles/lattice.sh $n >"$scratch/lattice.fe"
+    case $n in 2) r=4 ;; 5) r=2 ;; 9) r=1 ;; 17) r=0 ;; esac
+    try "lattice_$n" "$scratch/lattice.fe" "refine $r" 30
+  done
+  try sphere_10k datafiles/cube.fe "refine 4" 500
+  try sphere_100k datafiles/cube.fe "refine 6" 50
+  try sphere_400k datafiles/cube.fe "refine 7" 20
+  try sphere_1600k datafiles/cube.fe "refine 8" 10
+}
+
+for part in $parts; do $part; done

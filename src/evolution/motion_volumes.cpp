@@ -1,0 +1,151 @@
+// How a step of Motion keeps volumes.
+#include <algorithm>
+#include <cmath>
+
+#include "evolution/motion.h"
+
+namespace lamella::evolution {
+
+namespace {
+
+constexpr int most_volume_passes = 8;
+constexpr double volume_tolerance = 1e-12;  // relative
+// The volumes need no second look after a pass that leaves less than this by its expected rate.
+constexpr double most_left_unseen = 2e-12;
+constexpr double safety = 30;  // rates vary from step to step
+// The next step goes without a look at its volumes if the last one missed them by less than this.
+constexpr double missed_little = 2e-11;
+// A step that has missed them by more is made again, with a look.
+constexpr double missed_much = 1e-10;
+
+}  // namespace
+
+double Motion::target(std::size_t row, double time) const {
+  return scene::target_at(scene_.body(terms_.constrained()[row]), time);
+}
+
+// What a multiplier of moves is divided by to be a pressure.
+double Motion::pressure_span(double dt) const {
+  if (method_ == Method::gradient) return dt;
+  return method_ == Method::verlet ? 0.5 * dt * dt : dt * dt;
+}
+
+// Velocities that bring the volumes to their targets in one step, as far as can be foreseen.
+void Motion::impose_volumes(double dt) {
+  energy::VolumeGradient& volume = terms_.volume_gradient();
+  volume.dot(ones_, next_v_, errors_);
+  for (std::size_t i = 0; i < errors_.size(); ++i) {
+    foreseen_[i] = target(i, scene_.time + dt) - memory_.expected(i, dt);
+    errors_[i] = (foreseen_[i] - present_[i]) / dt - errors_[i];
+  }
+  gram_.solve(errors_, multipliers_);
+  volume.set_multipliers(multipliers_);
+  for (std::size_t i = 0; i < multipliers_.size(); ++i)
+    next_pressures_[i] += multipliers_[i] * dt / pressure_span(dt);
+}
+
+// Takes out of next_v_ what would change volumes other than as their targets do.
+void Motion::project_velocities(double dt) {
+  energy::VolumeGradient& volume = terms_.volume_gradient();
+  volume.dot(ones_, next_v_, errors_);
+  for (std::size_t i = 0; i < errors_.size(); ++i)
+    errors_[i] = (target(i, scene_.time + dt) - target(i, scene_.time)) / dt - errors_[i];
+  gram_.solve(errors_, multipliers_);
+  volume.set_multipliers(multipliers_);
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    next_v_[v] += weights_[v] * volume.pull(v);
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+  }
+}
+
+// Adds the impulse of the multipliers along the volume gradients at the start of the step.
+void Motion::correct(double dt) {
+  energy::VolumeGradient& volume = terms_.volume_gradient();
+  volume.set_multipliers(multipliers_);
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    const Vec3 shift = weights_[v] * volume.pull(v);
+    next_x_[v] += shift;
+    next_v_[v] += shift / dt;
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+  }
+  for (std::size_t i = 0; i < errors_.size(); ++i) next_pressures_[i] += multipliers_[i] / pressure_span(dt);
+}
+
+// Measures volumes at next_x_ and what they lack; false if they are not finite.
+bool Motion::look_at_volumes(double dt, double& worst) {
+  terms_.value(next_x_);
+  worst = 0;
+  for (std::size_t i = 0; i < errors_.size(); ++i) {
+    const double wanted = target(i, scene_.time + dt);
+    errors_[i] = wanted - terms_.volumes()[terms_.constrained()[i].index];
+    worst = std::max(worst, std::abs(errors_[i] / wanted));
+  }
+  return std::isfinite(worst);
+}
+
+bool Motion::keep_volumes(double dt) {
+  if (volume_mode_ == VolumeMode::paper) return correct_as_paper(dt);
+  one_pass_ =
+      !is_implicit(method_) && (volume_mode_ == VolumeMode::lagged ||
+                                (volume_mode_ == VolumeMode::automatic && memory_.miss() < missed_little));
+  if (one_pass_) return true;
+  double before = 0;
+  for (int pass = 0; pass < most_volume_passes; ++pass) {
+    double worst = 0;
+    if (!look_at_volumes(dt, worst)) return false;
+    if (pass == 0) {
+      for (std::size_t i = 0; i < errors_.size(); ++i) reached_[i] = target(i, scene_.time + dt) - errors_[i];
+    }
+    if (worst < volume_tolerance) return true;
+    gram_.solve(errors_, multipliers_);
+    correct(dt);
+    if (before > 0) pass_rate_ = worst / before;
+    if (safety * worst * pass_rate_ < most_left_unseen) return true;
+    before = worst;
+  }
+  return false;
+}
+
+bool Motion::correct_as_paper(double dt) {
+  one_pass_ = true;
+  double worst = 0;
+  if (!look_at_volumes(dt, worst)) return false;
+  std::vector<Vec3> moves(x_.size());
+  if (!paper_->displacements(next_x_, errors_, multipliers_, moves)) return false;
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    if (weights_[v] != 0) {
+      next_x_[v] += moves[v];
+      next_v_[v] += moves[v] / dt;
+    }
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+  }
+  for (std::size_t i = 0; i < errors_.size(); ++i) next_pressures_[i] = multipliers_[i] / pressure_span(dt);
+  return true;
+}
+
+// After the sweep at the new positions: whether a volume is off by more than may be.
+bool Motion::missed_too_far(double dt) const {
+  if (volume_mode_ != VolumeMode::automatic) return false;
+  for (std::size_t i = 0; i < present_.size(); ++i) {
+    const double wanted = target(i, scene_.time + dt);
+    const double missed = terms_.volumes()[terms_.constrained()[i].index] - wanted;
+    if (!(std::abs(missed) < missed_much * std::abs(wanted))) return true;
+  }
+  return false;
+}
+
+// After the sweep at the new positions: what the step left beyond what was foreseen.
+void Motion::remember_volumes(double dt) {
+  for (std::size_t i = 0; i < present_.size(); ++i) {
+    const double wanted = target(i, scene_.time + dt);
+    present_[i] = terms_.volumes()[terms_.constrained()[i].index];
+    const double reached = one_pass_ ? present_[i] : reached_[i];
+    memory_.note(i, dt, reached - foreseen_[i], (reached - wanted) / wanted);
+  }
+  memory_.finish();
+}
+
+}  // namespace lamella::evolution

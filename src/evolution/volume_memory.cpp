@@ -1,0 +1,61 @@
+#include "evolution/volume_memory.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamella::evolution {
+
+namespace {
+
+constexpr const char* column_name = "volume_defect";
+constexpr int width = 3;  // last, before, miss
+constexpr double smooth_slope = 0.3;
+
+}  // namespace
+
+VolumeMemory::VolumeMemory(const scene::Scene& scene, std::vector<film::Region> regions)
+    : regions_(std::move(regions)), rows_(regions_.size()) {
+  const film::Column* const column = scene.body_columns.find(column_name);
+  const bool known = column != nullptr && column->width == width;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const std::uint32_t body = regions_[i].index - 1;
+    if (known) rows_[i] = {column->value(body, 0), column->value(body, 1), column->value(body, 2)};
+    if (rows_[i].last == 0 && rows_[i].before == 0) rows_[i].miss = HUGE_VAL;
+  }
+  finish();
+}
+
+double VolumeMemory::expected(std::size_t row, double dt) const {
+  const Row& r = rows_[row];
+  const double slope = r.last - r.before;
+  const bool smooth = std::abs(slope) < smooth_slope * std::abs(r.last);
+  return dt * dt * (smooth ? r.last + slope : r.last);
+}
+
+void VolumeMemory::note(std::size_t row, double dt, double left, double missed) {
+  Row& r = rows_[row];
+  r.before = r.last;
+  r.last = left / (dt * dt);
+  r.miss = std::abs(missed);
+}
+
+void VolumeMemory::finish() {
+  miss_ = 0;
+  for (const Row& row : rows_) miss_ = std::max(miss_, row.miss);
+}
+
+void VolumeMemory::store(scene::Scene& scene) const {
+  if (rows_.empty()) return;
+  scene.body_columns.resize(scene.bodies.size());
+  film::Column* column = scene.body_columns.edit(column_name);
+  if (column == nullptr || column->width != width)
+    column = &scene.body_columns.add(film::real_column(column_name, 0, width));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const std::uint32_t body = regions_[i].index - 1;
+    column->set(body, 0, rows_[i].last);
+    column->set(body, 1, rows_[i].before);
+    column->set(body, 2, std::isfinite(rows_[i].miss) ? rows_[i].miss : 0);
+  }
+}
+
+}  // namespace lamella::evolution
