@@ -289,7 +289,7 @@ std::vector<FieldEdge> string_energy_edges(const scene::Scene& scene) {
     const film::Vertex v(i);
     if (!scene.film.alive(v)) continue;
     for_each_end_field(scene, v, false, [&](const EdgeIntegrand& field, double times) {
-      FieldEdge at_vertex{&field, v, v, times};
+      FieldEdge at_vertex{&field, v, v, times, {}};
       at_vertex.at_to = true;
       edges.push_back(at_vertex);
     });

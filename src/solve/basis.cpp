@@ -32,8 +32,17 @@ void Basis::renew(std::span<const Vec3> x, const energy::VertexConstraints& cons
   }
 }
 
-// On a border that lies in the constraint, the direction along it goes too.
+// A rim slides in its constraint as its film's normal points there. On a border that lies in the constraint, the
+// direction along it goes.
 void Basis::renew_held(std::uint32_t v, const energy::VertexConstraints& constraints) {
+  if (const auto normal = freedom_.sliding_normal(v)) {
+    const Vec3 slide = constraints.restricted(v, *normal);
+    if (squared_length(slide) > 1e-12) {
+      direction_[first_[v]] = unit(slide);
+      direction_[first_[v] + 1] = direction_[first_[v] + 2] = Vec3{};
+      return;
+    }
+  }
   std::array<Vec3, 3> allowed;
   const int count = constraints.allowed(v, allowed);
   const Vec3 line = constraints.restricted(v, freedom_.along_line(v).value_or(Vec3{}));

@@ -9,7 +9,9 @@ namespace {
 
 constexpr int most_halvings = 40;
 constexpr int most_doublings = 60;
-constexpr double forgotten = 1e-3;
+constexpr double least_scale = 1e-6;  // to begin with: less is left from an equilibrium, where rounding decides
+constexpr double volume_tolerance = 1e-4;  // Evolver's target_tolerance
+constexpr double hopeless = 0.1;           // of a volume, relative
 
 }  // namespace
 
@@ -48,9 +50,10 @@ double Descent::conjugate(double squared) {
   return slope;
 }
 
-void Descent::place(std::span<Vec3> x, double scale) const {
+// Moves along the direction and restores volumes about as well as Surface Evolver does. Returns the energy.
+double Descent::move(std::span<Vec3> x, double scale) const {
   for (std::size_t v = 0; v < from_.size(); ++v) x[v] = from_[v] + scale * direction_[v];
-  problem_.constrain(x);
+  return problem_.restore_roughly(x, volume_tolerance);
 }
 
 DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double limit) {
@@ -64,75 +67,67 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
   const double steep = problem_.descent_direction(steepest ? direction_ : force_);
   const double squared = steepest ? steep : conjugate(steep);
   if (!std::isfinite(squared)) return {Ending::not_finite, energy, problem_.energy().area()};
-  const double start = problem_.merit(x);
-  if (fixed) {
-    place(x, scale);
-    return finish(x, scale, squared, start);
-  }
-  // A scale far below what the film stands is left from an equilibrium, where rounding decides.
-  if (!(scale > forgotten * first_scale(problem_))) scale = first_scale(problem_);
-  scale = std::min(scale, limit);
-  bool found = squared != 0 && search(x, start, scale, limit);
-  if (!found && !steepest && squared != 0) {
+  if (fixed) return finish(x, move(x, scale), scale, squared);
+  const double start = move(x, 0);
+  scale = std::clamp(scale, least_scale, std::max(limit, least_scale));
+  std::optional<double> reached;
+  if (squared != 0) reached = search(x, start, scale, limit);
+  if (!reached && !steepest && squared != 0) {
     // Conjugate to a past that no longer counts: begin anew.
     direction_ = last_force_;
     scale = std::min(first_scale(problem_), limit);
-    found = search(x, start, scale, limit);
+    reached = search(x, start, scale, limit);
   }
-  if (!found) {
-    place(x, 0);
-    DescentStep none = finish(x, 0, squared, start);
-    if (none.ending == Ending::step_limit) none.ending = squared == 0 ? Ending::converged : Ending::stuck;
-    return none;
-  }
-  return finish(x, scale, squared, start);
+  if (reached) return finish(x, *reached, scale, squared);
+  DescentStep none = finish(x, move(x, 0), 0, squared);
+  if (none.ending == Ending::step_limit) none.ending = squared == 0 ? Ending::converged : Ending::stuck;
+  return none;
 }
 
-// Leaves x at the accepted scale. From the last one it is doubled as long as that lowers the merit, or halved
-// until it does; then comes the parabola through the merits at 0, at the best scale and at twice that.
-bool Descent::search(std::span<Vec3> x, double start, double& scale, double limit) {
-  const auto merit_at = [&](double trial) {
-    place(x, trial);
-    return problem_.merit(x);
-  };
-  double here = merit_at(scale);
+// Leaves x at the accepted scale and returns the energy there; nothing if none lowers it. From the last scale it
+// is doubled as long as that lowers the energy, or halved until it does; then comes the parabola through the
+// energies at 0, at the best scale and at twice that.
+std::optional<double> Descent::search(std::span<Vec3> x, double start, double& scale, double limit) const {
+  double here = move(x, scale);
   double twice = HUGE_VAL;
   if (here < start) {
     for (int doubling = 0; doubling < most_doublings; ++doubling) {
-      twice = merit_at(2 * scale);
+      twice = move(x, 2 * scale);
       if (!(twice < here) || 2 * scale > limit) break;
       scale *= 2;
       here = twice;
     }
   } else {
     for (int halving = 0; !(here < start); ++halving) {
-      if (halving == most_halvings) return false;
+      if (halving == most_halvings) return std::nullopt;
       twice = here;
       scale /= 2;
-      here = merit_at(scale);
+      here = move(x, scale);
     }
   }
   const double bend = start - 2 * here + twice;
   double optimum = scale;
   if (std::isfinite(bend) && bend > 0) optimum = 0.5 * scale * (3 * start - 4 * here + twice) / bend;
   optimum = std::min(optimum, limit);
-  if (optimum == scale || !(merit_at(optimum) < start)) {
-    place(x, scale);
-  } else {
+  const double energy = move(x, optimum);
+  if (energy < start) {
     scale = optimum;
+    return energy;
   }
-  return true;
+  return move(x, scale);
 }
 
-DescentStep Descent::finish(std::span<Vec3> x, double scale, double squared, double start) {
+DescentStep Descent::finish(std::span<Vec3> x, double energy, double scale, double squared) const {
   DescentStep result;
+  result.energy = energy;
   result.scale = scale;
   result.predicted_gain = 0.5 * scale * squared;
-  const Ending restored = problem_.restore_volumes(x, result.energy);
   result.area = problem_.energy().area();
-  if (restored != Ending::converged) {
-    result.ending = restored;
-    result.energy = start;
+  if (!std::isfinite(energy)) {
+    result.ending = Ending::not_finite;
+    std::copy(from_.begin(), from_.end(), x.begin());
+  } else if (problem_.volume_error() > hopeless) {
+    result.ending = Ending::volume_lost;
     std::copy(from_.begin(), from_.end(), x.begin());
   }
   return result;

@@ -2,6 +2,7 @@
 // optimum of a line search, volumes restored.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scene/monitor.h"
@@ -19,11 +20,11 @@ struct DescentStep {
 
 // Makes one descent step after another with the same work arrays.
 //
-// The line search is that of Surface Evolver, whose `g` this is: the scale of the step before is doubled as
-// long as the energy falls, or halved until it does, and the step goes to the lowest point of the parabola
-// through the energies at 0, there and at twice that. Volumes are projected out of the direction; what the
-// trials still change of them counts as pressure * volume, and is restored when the step has been made (to
-// rounding; Evolver leaves a little). When nothing lowers the energy, positions are left as they were.
+// The step is that of Surface Evolver's `g`. The scale of the step before is doubled as long as the energy
+// falls, or halved until it does, and the step goes to the lowest point of the parabola through the energies at
+// 0, there and at twice that. At each trial volumes are brought to within 1e-4 of their targets along the
+// gradients at the beginning of the step, once at least; whoever wants them exact restores them after the last
+// step. When nothing lowers the energy, positions are left as they were, but for that.
 //
 // Conjugate directions (E. Polak and G. Ribiere's, which begin anew by themselves where they lose their
 // worth) bend each force by the last direction; Evolver's `U`.
@@ -38,10 +39,10 @@ class Descent {
   DescentStep step(std::span<Vec3> x, double& scale, bool fixed, double limit);
 
  private:
-  void place(std::span<Vec3> x, double scale) const;
-  bool search(std::span<Vec3> x, double start, double& scale, double limit);
+  double move(std::span<Vec3> x, double scale) const;
+  std::optional<double> search(std::span<Vec3> x, double start, double& scale, double limit) const;
   double conjugate(double squared);
-  DescentStep finish(std::span<Vec3> x, double scale, double squared, double start);
+  DescentStep finish(std::span<Vec3> x, double energy, double scale, double squared) const;
 
   Problem& problem_;
   DescentRule rule_;

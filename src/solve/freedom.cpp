@@ -22,6 +22,11 @@ Freedom::Freedom(const film::Film& film, MotionKind kind) : film_(film) {
         (levels != nullptr && levels->value(v) != 0) || (boundaries != nullptr && boundaries->value(v) != 0);
     if (place.kind == film::PlaceKind::inside && !held) kind_[v] = Kind::along;
     if (place.kind != film::PlaceKind::line) continue;
+    const auto is_rim = [&](film::SignedEdge e) { return film.valence(e.edge()) == 1; };
+    if (held && is_rim(place.edges[0]) && is_rim(place.edges[1])) {
+      kind_[v] = Kind::slides;
+      continue;
+    }
     kind_[v] = Kind::square;
     const auto [before, after] = place.edges;
     Line line{v, film.head(before).index, film.head(after).index, {}};
@@ -42,13 +47,18 @@ std::optional<Vec3> Freedom::along_line(std::size_t vertex) const {
   return direction_[vertex];
 }
 
+std::optional<Vec3> Freedom::sliding_normal(std::size_t vertex) const {
+  if (kind_.empty() || kind_[vertex] != Kind::slides) return std::nullopt;
+  return direction_[vertex];
+}
+
 std::uint32_t Freedom::count(std::size_t vertex) const {
-  if (kind_.empty() || kind_[vertex] == Kind::free) return 3;
+  if (kind_.empty() || kind_[vertex] == Kind::free || kind_[vertex] == Kind::slides) return 3;
   return kind_[vertex] == Kind::along ? 1 : 2;
 }
 
 std::array<Vec3, 3> Freedom::directions(std::size_t vertex) const {
-  if (kind_.empty() || kind_[vertex] == Kind::free) return {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  if (kind_.empty() || kind_[vertex] == Kind::free || kind_[vertex] == Kind::slides) return {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   // Where neither normal nor line has a direction, any will do.
   const Vec3 d = direction_[vertex] == Vec3{} ? Vec3{0, 0, 1} : direction_[vertex];
   if (kind_[vertex] == Kind::along) return {d};
@@ -62,7 +72,7 @@ std::array<Vec3, 3> Freedom::directions(std::size_t vertex) const {
 
 void Freedom::restrict(std::span<Vec3> field) const {
   for (std::size_t v = 0; v < kind_.size(); ++v) {
-    if (kind_[v] == Kind::free) continue;
+    if (kind_[v] == Kind::free || kind_[v] == Kind::slides) continue;
     const Vec3 part = dot(field[v], direction_[v]) * direction_[v];
     field[v] = kind_[v] == Kind::along ? part : field[v] - part;
   }

@@ -29,6 +29,8 @@ class Freedom {
 
   // The direction along a border or rim in which a vertex would only slide, if it lies on one.
   std::optional<Vec3> along_line(std::size_t vertex) const;
+  // The normal of the film at a vertex of a rim that a constraint holds.
+  std::optional<Vec3> sliding_normal(std::size_t vertex) const;
 
   // What is left to a vertex: so many directions, however the film lies, and at the last `renew` these
   // (orthonormal; the rest of the three is to be ignored).
@@ -36,7 +38,7 @@ class Freedom {
   std::array<Vec3, 3> directions(std::size_t vertex) const;
 
  private:
-  enum class Kind : std::uint8_t { free, along, square };
+  enum class Kind : std::uint8_t { free, along, square, slides };
   struct Line {
     std::uint32_t vertex = 0;
     std::uint32_t before = 0;

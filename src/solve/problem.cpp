@@ -9,6 +9,7 @@ namespace {
 
 constexpr double finest_tolerance = 1e-13;  // relative; a few times rounding for a hundred thousand facets
 constexpr int most_passes = 200;
+constexpr int most_rough_passes = 10;
 // Most that one pass may change a volume by, of itself. Gradients at the start of a pass point where the film
 // stood.
 constexpr double most_shrinking = 0.2;
@@ -205,6 +206,23 @@ Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode m
     if (!constrain(x)) return Ending::constraint_lost;
   }
   return volume_error() < 1e-9 ? Ending::converged : Ending::volume_lost;
+}
+
+double Problem::restore_roughly(std::span<Vec3> x, double tolerance) {
+  if (!constrain(x)) return HUGE_VAL;
+  double energy = energy_.value(x);
+  for (int pass = 0; pass < most_rough_passes && !targets_.empty(); ++pass) {
+    volume_errors(errors_);
+    const bool near = std::all_of(errors_.begin(), errors_.end(),
+                                  [&](double error) { return std::abs(error) <= tolerance; });
+    if ((near && pass > 0) || !std::isfinite(energy)) break;
+    gram_.solve(errors_, multipliers_);
+    energy_.volume_gradient().set_multipliers(multipliers_);
+    for (std::size_t v = 0; v < x.size(); ++v) x[v] += weights_[v] * energy_.volume_gradient().pull(v);
+    if (!constrain(x)) return HUGE_VAL;
+    energy = energy_.value(x);
+  }
+  return energy;
 }
 
 void Problem::limit(std::span<double> errors) const {

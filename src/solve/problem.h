@@ -75,6 +75,11 @@ class Problem {
   // `energy` is the energy at x. Ending::converged or volume_lost or not_finite.
   Ending restore_volumes(std::span<Vec3> x, double& energy, RestoreMode mode = RestoreMode::renew_gradients);
 
+  // The same with the gradients of the last `linearise` alone, until volumes are within `tolerance` of their
+  // targets (relative to 1 or to them, whichever is more), but not often: enough to compare energies. Returns
+  // the energy, infinite where constraints are lost.
+  double restore_roughly(std::span<Vec3> x, double tolerance);
+
   // Writes pressures to the scene's bodies, and the parameters of vertices on boundaries.
   void publish(scene::Scene& scene) const;
 

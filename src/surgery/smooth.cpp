@@ -126,13 +126,21 @@ Vec3 averaging_move(const Film& film, Vertex v, Averaging averaging) {
   const Vec3& at = film.position(v);
   std::vector<Neighbour> neighbours = neighbours_of(film, v);
   const auto has = [&](auto&& test) { return std::any_of(neighbours.begin(), neighbours.end(), test); };
-  if (neighbours.empty() || has([](const Neighbour& n) { return n.facets == 0; })) return {};
+  if (neighbours.empty()) return {};
+  const auto along_line = [&] {
+    const Vec3 move = step * (mean_of(neighbours) - at);
+    if (!keep) return move;
+    if (neighbours.size() != 2) return Vec3{};
+    const Vec3 tangent = unit(neighbours[1].position - neighbours[0].position);
+    return dot(move, tangent) * tangent;
+  };
+  if (has([](const Neighbour& n) { return n.facets == 0; })) {
+    // Where there are facets too, a wire leads away from them; without any the film is of one dimension.
+    return has([](const Neighbour& n) { return n.facets > 0; }) ? Vec3{} : along_line();
+  }
   if (has([](const Neighbour& n) { return n.facets > 2; })) {
     std::erase_if(neighbours, [](const Neighbour& n) { return n.facets <= 2; });
-    if (neighbours.size() != 2) return {};
-    const Vec3 move = step * (mean_of(neighbours) - at);
-    const Vec3 tangent = unit(neighbours[1].position - neighbours[0].position);
-    return keep ? dot(move, tangent) * tangent : move;
+    return neighbours.size() == 2 ? along_line() : Vec3{};
   }
   const bool equal = is_held(film, v) || has([](const Neighbour& n) { return n.facets == 1; });
   const Vec3 move = step * ((equal ? mean_of(neighbours) : weighted_mean(neighbours)) - at);
