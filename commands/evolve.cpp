@@ -80,9 +80,22 @@ void keep_times(Session& session, const evolution::StepTimes& times) {
                     "the mesh may have become too uneven to go on: try u, V or refine, or more damping");
 }
 
+void refuse_what_does_not_move(const scene::Scene& scene) {
+  if (scene.strings.on) {
+    throw text::Error("films of one dimension do not move in time",
+                      "g and hessian bring them to equilibrium, and evolve is for films with facets");
+  }
+  for (const scene::Quantity& quantity : scene.quantities) {
+    if (quantity.role != scene::QuantityRole::fixed && quantity.role != scene::QuantityRole::conserved) continue;
+    throw text::Error(fmt::format("the quantity \"{}\" is held, and motion in time holds only volumes", quantity.name),
+                      "g, relax and hessian hold it");
+  }
+}
+
 void run(Session& session, const EvolveOptions& options) {
   scene::Scene& scene = session.scene();
   if (scene.empty()) throw text::Error("there is no film to move", "load a datafile first: load \"cube.fe\"");
+  refuse_what_does_not_move(scene);
   evolution::StepSize size;
   size.fixed = options.dt;
   size.upkeep = !options.keep_mesh;

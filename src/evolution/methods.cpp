@@ -24,13 +24,16 @@ void descend(solve::Problem& problem, solve::DescentRule rule, std::span<film::V
     const solve::DescentStep step = descent.step(x, scale, false, HUGE_VAL);
     report.energy = step.energy;
     report.ending = step.ending;
-    if (step.ending != Ending::step_limit) return;
+    if (step.ending != Ending::step_limit) break;
     ++report.iterations;
     report.residual = step.predicted_gain / std::abs(step.energy);
     monitor.progress(report.iterations, options.most_iterations, step.energy);
     if (report.residual < options.tolerance) report.ending = Ending::converged;
     if (monitor.stop_requested()) report.ending = Ending::stopped;
   }
+  bool ok = false;  // steps leave volumes nearly right
+  problem.linearise(x, ok);
+  if (ok) problem.restore_volumes(x, report.energy);
 }
 
 void by_lbfgs(solve::Problem& problem, scene::Scene& scene, const RelaxOptions& options,

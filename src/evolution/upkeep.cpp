@@ -28,18 +28,17 @@ std::vector<Vec3> carried_along(const film::Film& film, std::span<const Vec3> be
                                 std::span<const Vec3> moves, const std::vector<Vec3>& velocities) {
   std::vector<double> scale(before.size());
   std::vector<Vec3> change(before.size());
-  const auto ahead = [&](std::uint32_t from, std::uint32_t to) {
-    return std::max(0.0, dot(before[to] - before[from], moves[from]));
-  };
-  const auto visit = [&](std::uint32_t from, std::uint32_t to) {
-    const double weight = ahead(from, to);
+  const auto visit = [&](std::uint32_t from, std::uint32_t to, const Vec3& way) {
+    const double weight = std::max(0.0, dot(way, moves[from]));
     scale[from] += weight * weight;
     change[from] += weight * (velocities[to] - velocities[from]);
   };
   for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
     const auto& [tail, head] = film.ends(film::Edge(e));
-    visit(tail.index, head.index);
-    visit(head.index, tail.index);
+    Vec3 way = before[head.index] - before[tail.index];
+    if (film.periodic()) way += film.lattice()->shift(film.wrap({film::Edge(e), false}));
+    visit(tail.index, head.index, way);
+    visit(head.index, tail.index, -way);
   }
   std::vector<Vec3> result = velocities;
   for (std::size_t v = 0; v < result.size(); ++v) {
@@ -133,10 +132,15 @@ struct RigidMotion {
   Vec3 at(const Vec3& point) const { return velocity + cross(turn, point - centre); }
 };
 
-RigidMotion rigid_motion(const Balance& whole, std::span<const Vec3> x, std::span<const double> masses) {
+// Which motions a film as a whole keeps: in periodic space nothing turns.
+enum class Kept : std::uint8_t { none, momentum, both_momenta };
+
+RigidMotion rigid_motion(const Balance& whole, std::span<const Vec3> x, std::span<const double> masses,
+                         Kept kept) {
   RigidMotion motion;
   for (std::size_t v = 0; v < x.size(); ++v) motion.centre += (masses[v] / whole.mass) * x[v];
   motion.velocity = whole.momentum / whole.mass;
+  if (kept == Kept::momentum) return motion;
   const Vec3 about = whole.angular_momentum - cross(motion.centre, whole.momentum);
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   for (std::size_t v = 0; v < x.size(); ++v) {
@@ -151,16 +155,16 @@ RigidMotion rigid_motion(const Balance& whole, std::span<const Vec3> x, std::spa
 
 // Momenta and energy as before; `change` is what the potential energy rose by.
 void restore_motion(std::span<const Vec3> x, std::span<const double> masses, const Balance& before,
-                    double change, bool free, std::vector<Vec3>& speeds) {
+                    double change, Kept kept, std::vector<Vec3>& speeds) {
   if (!(before.mass > 0)) return;
   const Balance now = balance(x, speeds, masses);
   RigidMotion wanted;
   RigidMotion found;
-  if (free) {
+  if (kept != Kept::none) {
     Balance moved = before;
     moved.mass = now.mass;
-    wanted = rigid_motion(moved, x, masses);
-    found = rigid_motion(now, x, masses);
+    wanted = rigid_motion(moved, x, masses, kept);
+    found = rigid_motion(now, x, masses, kept);
   }
   double rigid = 0;
   double rest = 0;
@@ -202,7 +206,8 @@ bool keep_mesh_in_motion(scene::Scene& scene, double limit) {
   const auto fixed = film.columns(film::ElementKind::vertex).flags("fixed");
   const bool free = std::none_of(fixed.begin(), fixed.end(), [](auto flag) { return flag != 0; }) &&
                     scene.level_sets.empty() && scene.boundaries.empty();
-  restore_motion(film.positions(), masses, before, potential_energy(scene) - energy, free, speeds);
+  const Kept kept = !free ? Kept::none : film.periodic() ? Kept::momentum : Kept::both_momenta;
+  restore_motion(film.positions(), masses, before, potential_energy(scene) - energy, kept, speeds);
   store_motion(film, masses, speeds);
   return true;
 }

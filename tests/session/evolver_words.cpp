@@ -33,11 +33,11 @@ TEST(EvolverWords, QuietIsQuiet) {
 // A procedure may speak of what is not supported; who runs it is told where that stands.
 TEST(EvolverWords, RefusedCommandsWaitForTheirTurn) {
   Trial trial("cube.fe");
-  trial.out("popper := { r; pop edge[3] where (valence == 3); print 5 }; other := { o; O }");
+  trial.out("popper := { r; t1_edgeswap edge[3] where (valence == 3); print 5 }; other := { detorus; O }");
   const std::string message = trial.failure("popper");
-  EXPECT_TRUE(contains(message, "test:1:16: error: pop is not supported: films do not change")) << message;
+  EXPECT_TRUE(contains(message, "test:1:16: error: t1_edgeswap is not supported: pop_tri_to_edge")) << message;
   EXPECT_EQ(trial.number("facet_count"), 24);
-  EXPECT_TRUE(contains(trial.failure("other"), "o is not supported"));
+  EXPECT_TRUE(contains(trial.failure("other"), "detorus is not supported"));
   EXPECT_TRUE(contains(trial.failure("if 1 then quadratic else r"), "quadratic is not supported"));
   EXPECT_EQ(trial.out("if 0 then quadratic else print 2"), "2\n");
 }
@@ -134,14 +134,14 @@ TEST(EvolverWords, DatafilesLoadWithoutWhatFails) {
   const Folder folder;
   const std::string path =
       folder.write("some.fe", file_content(datafile("cube.fe")) +
-                                  "\nr\nnonsense 5; x := 1\nritz(0, 3)\nshow facets\n"
+                                  "\nr\nnonsense 5; x := 1\nt1_edgeswap edge[1]\nshow facets\n"
                                   "broken := { g 5; nonsense }\ny := 2\nset vertex[99] x 1\n");
   Trial trial;
   trial.session().set_quiet(false);
   const Ran ran = trial.run("load \"" + path + "\"");
   EXPECT_EQ(ran.outcome, session::Outcome::done);
   EXPECT_TRUE(contains(ran.messages, "warning: there is no command \"nonsense\"")) << ran.messages;
-  EXPECT_TRUE(contains(ran.messages, "warning: ritz is not supported"));
+  EXPECT_TRUE(contains(ran.messages, "warning: t1_edgeswap is not supported"));
   EXPECT_TRUE(contains(ran.messages, "warning: there is no vertex 99"));
   EXPECT_TRUE(contains(ran.out, "4 of the commands at its end were left out\n")) << ran.out;
   EXPECT_EQ(trial.number("facet_count"), 96);
