@@ -86,9 +86,11 @@ void refuse_what_does_not_move(const scene::Scene& scene) {
                       "g and hessian bring them to equilibrium, and evolve is for films with facets");
   }
   for (const scene::Quantity& quantity : scene.quantities) {
-    if (quantity.role != scene::QuantityRole::fixed && quantity.role != scene::QuantityRole::conserved) continue;
-    throw text::Error(fmt::format("the quantity \"{}\" is held, and motion in time holds only volumes", quantity.name),
-                      "g, relax and hessian hold it");
+    if (quantity.role != scene::QuantityRole::fixed && quantity.role != scene::QuantityRole::conserved)
+      continue;
+    throw text::Error(
+        fmt::format("the quantity \"{}\" is held, and motion in time holds only volumes", quantity.name),
+        "g, relax and hessian hold it");
   }
 }
 

@@ -32,8 +32,8 @@ void Basis::renew(std::span<const Vec3> x, const energy::VertexConstraints& cons
   }
 }
 
-// A rim slides in its constraint as its film's normal points there. On a border that lies in the constraint, the
-// direction along it goes.
+// A rim slides in its constraint as its film's normal points there. On a border that lies in the constraint,
+// the direction along it goes.
 void Basis::renew_held(std::uint32_t v, const energy::VertexConstraints& constraints) {
   if (const auto normal = freedom_.sliding_normal(v)) {
     const Vec3 slide = constraints.restricted(v, *normal);

@@ -9,7 +9,8 @@ namespace {
 
 constexpr int most_halvings = 40;
 constexpr int most_doublings = 60;
-constexpr double least_scale = 1e-6;  // to begin with: less is left from an equilibrium, where rounding decides
+constexpr double least_scale =
+    1e-6;  // to begin with: less is left from an equilibrium, where rounding decides
 constexpr double volume_tolerance = 1e-4;  // Evolver's target_tolerance
 constexpr double hopeless = 0.1;           // of a volume, relative
 
@@ -84,9 +85,9 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
   return none;
 }
 
-// Leaves x at the accepted scale and returns the energy there; nothing if none lowers it. From the last scale it
-// is doubled as long as that lowers the energy, or halved until it does; then comes the parabola through the
-// energies at 0, at the best scale and at twice that.
+// Leaves x at the accepted scale and returns the energy there; nothing if none lowers it. From the last scale
+// it is doubled as long as that lowers the energy, or halved until it does; then comes the parabola through
+// the energies at 0, at the best scale and at twice that.
 std::optional<double> Descent::search(std::span<Vec3> x, double start, double& scale, double limit) const {
   double here = move(x, scale);
   double twice = HUGE_VAL;

@@ -21,10 +21,10 @@ struct DescentStep {
 // Makes one descent step after another with the same work arrays.
 //
 // The step is that of Surface Evolver's `g`. The scale of the step before is doubled as long as the energy
-// falls, or halved until it does, and the step goes to the lowest point of the parabola through the energies at
-// 0, there and at twice that. At each trial volumes are brought to within 1e-4 of their targets along the
-// gradients at the beginning of the step, once at least; whoever wants them exact restores them after the last
-// step. When nothing lowers the energy, positions are left as they were, but for that.
+// falls, or halved until it does, and the step goes to the lowest point of the parabola through the energies
+// at 0, there and at twice that. At each trial volumes are brought to within 1e-4 of their targets along the
+// gradients at the beginning of the step, once at least; whoever wants them exact restores them after the
+// last step. When nothing lowers the energy, positions are left as they were, but for that.
 //
 // Conjugate directions (E. Polak and G. Ribiere's, which begin anew by themselves where they lose their
 // worth) bend each force by the last direction; Evolver's `U`.

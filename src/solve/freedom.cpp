@@ -58,7 +58,8 @@ std::uint32_t Freedom::count(std::size_t vertex) const {
 }
 
 std::array<Vec3, 3> Freedom::directions(std::size_t vertex) const {
-  if (kind_.empty() || kind_[vertex] == Kind::free || kind_[vertex] == Kind::slides) return {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  if (kind_.empty() || kind_[vertex] == Kind::free || kind_[vertex] == Kind::slides)
+    return {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   // Where neither normal nor line has a direction, any will do.
   const Vec3 d = direction_[vertex] == Vec3{} ? Vec3{0, 0, 1} : direction_[vertex];
   if (kind_[vertex] == Kind::along) return {d};

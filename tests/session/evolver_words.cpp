@@ -35,7 +35,8 @@ TEST(EvolverWords, RefusedCommandsWaitForTheirTurn) {
   Trial trial("cube.fe");
   trial.out("popper := { r; t1_edgeswap edge[3] where (valence == 3); print 5 }; other := { detorus; O }");
   const std::string message = trial.failure("popper");
-  EXPECT_TRUE(contains(message, "test:1:16: error: t1_edgeswap is not supported: pop_tri_to_edge")) << message;
+  EXPECT_TRUE(contains(message, "test:1:16: error: t1_edgeswap is not supported: pop_tri_to_edge"))
+      << message;
   EXPECT_EQ(trial.number("facet_count"), 24);
   EXPECT_TRUE(contains(trial.failure("other"), "detorus is not supported"));
   EXPECT_TRUE(contains(trial.failure("if 1 then quadratic else r"), "quadratic is not supported"));
