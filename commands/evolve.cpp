@@ -111,11 +111,15 @@ void run(Session& session, const EvolveOptions& options) {
       evolution::evolve(scene, options.steps, size, session.monitor(), note);
   keep_times(session, report.times);
   const bool failed = report.ending != solve::Ending::step_limit && report.ending != solve::Ending::stopped &&
-                      report.ending != solve::Ending::converged;
+                      report.ending != solve::Ending::converged && report.ending != solve::Ending::collapsed;
   if (failed) fail(report);
   if (options.dt && report.substeps > report.steps) {
     session.tell("dt {:g} is too long for stability (bound {:.3g}): {} made in {} parts\n", *options.dt,
                  report.bound, counted(report.steps, "step"), report.substeps);
+  }
+  if (report.ending == solve::Ending::collapsed) {
+    session.warn(fmt::format("stopped after {}: facets shrink to nothing, as where a neck pinches",
+                             counted(report.steps, "step")));
   }
   if (report.undone > 0) session.tell("taken back and made smaller: {}\n", counted(report.undone, "step"));
   if (report.upkeeps > 0) session.tell("mesh made fit: {}\n", counted(report.upkeeps, "time"));

@@ -107,13 +107,16 @@ bounds() {
     "$program" -q "$2" -e "$3; stability \"$scratch/chart.svg\" methods=\"$4\"" >/dev/null 2>"$scratch/message" || { cat "$scratch/message"; return 0; }
     sed 1d "$scratch/chart.csv" | sed "s/^/$1,/" >>manual/dynamics/bounds.csv
   }
-  some="euler,verlet,gradient,implicit,midpoint"
-  fast="euler,verlet,gradient"
-  try cubic_bubble datafiles/cube.fe "refine 3; relax" $some
+  fast="euler,gradient"
+  try cubic_bubble datafiles/cube.fe "refine 3; relax" $fast
+  try cubic_bubble datafiles/cube.fe "refine 2; relax" implicit,midpoint
   try cubic_bubble_unrelaxed datafiles/cube.fe "refine 3" $fast
-  try double_bubble datafiles/double_bubble.fe "refine 3; relax" $some
-  try catenoid_rings datafiles/moving_rings.fe "refine 3; relax" $some
-  try frame datafiles/wire_cube.fe "refine 3; relax" $some
+  try double_bubble datafiles/double_bubble.fe "refine 3; relax" $fast
+  try double_bubble datafiles/double_bubble.fe "refine 2; relax" implicit,midpoint
+  try catenoid_rings datafiles/moving_rings.fe "refine 3; relax" $fast
+  try catenoid_rings datafiles/moving_rings.fe "refine 2; relax" implicit,midpoint
+  try frame datafiles/wire_cube.fe "refine 3; relax" $fast
+  try frame datafiles/wire_cube.fe "refine 2; relax" implicit,midpoint
   try six_bubbles datafiles/six_bubbles.fe "refine; relax 40" $fast
   try slivers datafiles/cube.fe "refine 3; relax; set vertices x 0.5+0.1*(x-0.5) where z > 0.5; vc" $fast
   try high_valence datafiles/motion/high_valence.fe "vc off" $fast
@@ -125,14 +128,16 @@ bounds() {
 cost() {
   echo "scene,facets,regions,ns_a_facet" >manual/dynamics/cost.csv
   try() {  # NAME FILE COMMANDS STEPS
-    "$program" -q "$2" -e "$3; evolve 3; least := 1e9; for (i := 1; i <= 5; i += 1) { start := clock; evolve $4; least := minimum(least, clock-start) };
+    "$program" -q "$2" -e "$3; evolve 3 keep_mesh; least := 1e9; for (i := 1; i <= 5; i += 1) { start := clock; evolve $4 keep_mesh; least := minimum(least, clock-start) };
       printf \"$1,%d,%d,%.2f\n\", facet_count, body_count, 1e9*least/$4/facet_count" | tail -n 1 | tee -a manual/dynamics/cost.csv
   }
-  try six_bubbles datafiles/six_bubbles.fe "refine" 200
+  try six_bubbles datafiles/six_bubbles.fe "refine 3" 200
+  sh datafiles/lattice.sh 5 >"$scratch/lattice.fe"
+  try lattice_of_125 "$scratch/lattice.fe" "refine 2" 50
   for n in 2 5 9 17; do
     sh datafiles/lattice.sh $n >"$scratch/lattice.fe"
-    case $n in 2) r=4 ;; 5) r=2 ;; 9) r=1 ;; 17) r=0 ;; esac
-    try "lattice_$n" "$scratch/lattice.fe" "refine $r" 30
+    case $n in 2) r=5 ;; 5) r=3 ;; 9) r=2 ;; 17) r=1 ;; esac
+    try "lattice_$n" "$scratch/lattice.fe" "refine $r" 10
   done
   try sphere_10k datafiles/cube.fe "refine 4" 500
   try sphere_100k datafiles/cube.fe "refine 6" 50

@@ -6,6 +6,6 @@ print total_area
 damping := 1
 speed := 0.04
 start := total_time
-evolve 125 dt 0.01
+evolve 400 dt 0.01
 print gap + speed*(total_time - start)
 print min(vertices where not fixed, sqrt(x^2+y^2))

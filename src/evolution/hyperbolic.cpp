@@ -25,7 +25,9 @@ constexpr double choked = 0.4;
 constexpr double too_stiff = 0.7;  // what keeps the fitness below this part of the best is mended
 constexpr double steps_between_upkeeps = 10;
 constexpr double implicit_reach = 10;  // an implicit step over an explicit one, unless fixed
-constexpr double forgetting = 0.9;     // of the best, where the mesh does not get as fit as it was
+// Where steps have become this much shorter than they were, in spite of upkeep, something shrinks to nothing.
+constexpr double lost = 1e-3;
+constexpr double forgetting = 0.9;  // of the best, where the mesh does not get as fit as it was
 
 // A target that was set at once, or a datafile whose bodies do not have their volumes yet, is met by moving
 // the film there at rest: through velocities it would be a blow.
@@ -96,6 +98,7 @@ Ending Walk::advance(double dt, long steps) {
     left -= piece;
     ++report_.substeps;
     keep_mesh();
+    if (size_.upkeep && motion_->fitness() < lost * scene_.mesh_fitness) return Ending::collapsed;
     report_.smallest_dt = report_.smallest_dt == 0 ? piece : std::min(report_.smallest_dt, piece);
     report_.largest_dt = std::max(report_.largest_dt, piece);
   }

@@ -104,6 +104,7 @@ class Motion {
 
   // In motion_volumes.cpp.
   double target(std::size_t row, double time) const;
+  double smallest_target() const;
   void impose_volumes(double dt);
   void project_velocities(double dt);
   void correct(double dt);

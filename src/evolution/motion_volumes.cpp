@@ -12,7 +12,8 @@ constexpr int most_volume_passes = 8;
 constexpr double volume_tolerance = 1e-12;  // relative
 // The volumes need no second look after a pass that leaves less than this by its expected rate.
 constexpr double most_left_unseen = 2e-12;
-constexpr double safety = 30;  // rates vary from step to step
+constexpr double solved_to = 2e-13;  // relative, where systems are solved by iteration
+constexpr double safety = 30;        // rates vary from step to step
 // The next step goes without a look at its volumes if the last one missed them by less than this.
 constexpr double missed_little = 2e-11;
 // A step that has missed them by more is made again, with a look.
@@ -22,6 +23,13 @@ constexpr double missed_much = 1e-10;
 
 double Motion::target(std::size_t row, double time) const {
   return scene::target_at(scene_.body(terms_.constrained()[row]), time);
+}
+
+double Motion::smallest_target() const {
+  double smallest = HUGE_VAL;
+  for (std::size_t i = 0; i < errors_.size(); ++i)
+    smallest = std::min(smallest, std::abs(target(i, scene_.time)));
+  return smallest;
 }
 
 // What a multiplier of moves is divided by to be a pressure.
@@ -38,7 +46,7 @@ void Motion::impose_volumes(double dt) {
     foreseen_[i] = target(i, scene_.time + dt) - memory_.expected(i, dt);
     errors_[i] = (foreseen_[i] - present_[i]) / dt - errors_[i];
   }
-  gram_.solve(errors_, multipliers_);
+  gram_.solve(errors_, multipliers_, solved_to * smallest_target() / dt);
   volume.set_multipliers(multipliers_);
   for (std::size_t i = 0; i < multipliers_.size(); ++i)
     next_pressures_[i] += multipliers_[i] * dt / pressure_span(dt);
@@ -99,7 +107,7 @@ bool Motion::keep_volumes(double dt) {
       for (std::size_t i = 0; i < errors_.size(); ++i) reached_[i] = target(i, scene_.time + dt) - errors_[i];
     }
     if (worst < volume_tolerance) return true;
-    gram_.solve(errors_, multipliers_);
+    gram_.solve(errors_, multipliers_, solved_to * smallest_target());
     correct(dt);
     if (before > 0) pass_rate_ = worst / before;
     if (safety * worst * pass_rate_ < most_left_unseen) return true;
@@ -143,7 +151,7 @@ void Motion::remember_volumes(double dt) {
     const double wanted = target(i, scene_.time + dt);
     present_[i] = terms_.volumes()[terms_.constrained()[i].index];
     const double reached = one_pass_ ? present_[i] : reached_[i];
-    memory_.note(i, dt, reached - foreseen_[i], (reached - wanted) / wanted);
+    memory_.note(i, dt, reached - foreseen_[i], (reached - wanted) / wanted, std::abs(wanted));
   }
   memory_.finish();
 }

@@ -10,6 +10,7 @@ namespace {
 constexpr const char* column_name = "volume_defect";
 constexpr int width = 3;  // last, before, miss
 constexpr double smooth_slope = 0.3;
+constexpr double rounding = 1e-13;  // of a volume
 
 }  // namespace
 
@@ -32,11 +33,12 @@ double VolumeMemory::expected(std::size_t row, double dt) const {
   return dt * dt * (smooth ? r.last + slope : r.last);
 }
 
-void VolumeMemory::note(std::size_t row, double dt, double left, double missed) {
+void VolumeMemory::note(std::size_t row, double dt, double left, double missed, double volume) {
   Row& r = rows_[row];
+  r.miss = std::abs(missed);
+  if (std::abs(left) < rounding * volume) return;  // a step too short to tell
   r.before = r.last;
   r.last = left / (dt * dt);
-  r.miss = std::abs(missed);
 }
 
 void VolumeMemory::finish() {

@@ -25,7 +25,7 @@ class VolumeMemory {
   // From now on, until something is noted, the memory counts for nothing.
   void distrust() { miss_ = HUGE_VAL; }
   // What a step did leave, and by how much (in parts of the volume) that missed the volume wanted.
-  void note(std::size_t row, double dt, double left, double missed);
+  void note(std::size_t row, double dt, double left, double missed, double volume);
   // After the notes of all rows.
   void finish();
 

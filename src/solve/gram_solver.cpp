@@ -95,14 +95,15 @@ namespace {
 
 // Conjugate gradients preconditioned by the diagonal, from 0: callers give what is left after a good guess.
 Eigen::VectorXd iterate(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& inverse_diagonal,
-                        Eigen::VectorXd residual) {
+                        Eigen::VectorXd residual, double left) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(residual.size());
   Eigen::VectorXd scaled = inverse_diagonal.cwiseProduct(residual);
   Eigen::VectorXd direction = scaled;
   Eigen::VectorXd image(residual.size());
   double product = residual.dot(scaled);
   const double enough = iterated_to * iterated_to * product;
-  for (Eigen::Index i = 0; i < residual.size() && product > enough; ++i) {
+  for (Eigen::Index i = 0; i < residual.size() && product > 0; ++i) {
+    if (left > 0 ? residual.lpNorm<Eigen::Infinity>() <= left : product <= enough) break;
     image.noalias() = lower.selfadjointView<Eigen::Lower>() * direction;
     const double length = product / direction.dot(image);
     result += length * direction;
@@ -117,14 +118,14 @@ Eigen::VectorXd iterate(const Eigen::SparseMatrix<double>& lower, const Eigen::V
 
 }  // namespace
 
-void GramSolver::solve(std::span<const double> right, std::span<double> multipliers) const {
+void GramSolver::solve(std::span<const double> right, std::span<double> multipliers, double enough) const {
   const Work& w = *work_;
   if (w.rows == 0) return;
   Eigen::Map<Eigen::VectorXd> result(multipliers.data(), static_cast<Eigen::Index>(multipliers.size()));
   if (w.is_dense()) {
     result = w.dense_factor.solve(vector_of(right));
   } else if (w.iterates) {
-    result = iterate(w.sparse, w.inverse_diagonal, vector_of(right));
+    result = iterate(w.sparse, w.inverse_diagonal, vector_of(right), enough);
   } else {
     result = w.sparse_factor.solve(vector_of(right));
   }

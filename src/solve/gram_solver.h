@@ -17,7 +17,7 @@ class GramSolver {
  public:
   enum class Kind : std::uint8_t {
     factors,  // always
-    fastest,  // beyond some two hundred rows by conjugate gradients, to 1e-9 of the right-hand side
+    fastest,  // beyond some two hundred rows by conjugate gradients
   };
   GramSolver(int rows, const std::vector<energy::GramEntry>& pattern, Kind kind = Kind::factors);
   ~GramSolver();
@@ -27,7 +27,8 @@ class GramSolver {
   // `values` in the order of the pattern. False if the matrix is singular: some bodies' volumes cannot be
   // changed independently.
   bool factorise(std::span<const double> values);
-  void solve(std::span<const double> right, std::span<double> multipliers) const;
+  // `enough` is what iterations may leave of any row of the right-hand side; 0 for 1e-9 of the whole.
+  void solve(std::span<const double> right, std::span<double> multipliers, double enough = 0) const;
 
  private:
   struct Work;
