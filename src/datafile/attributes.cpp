@@ -71,7 +71,7 @@ constexpr std::array<AttributeWord, 27> word_table = {{
     {"boundary", "vef", AttributeAction::boundary, {}},
     {"orientation", "ef", AttributeAction::orientation, {}},
     {"phase", "fb", AttributeAction::refused, "surface tensions by pairs of phases"},
-    {"wrap", "e", AttributeAction::refused, "symmetry groups"},
+    {"wrap", "e", AttributeAction::wrap, {}},
     {"axial_point", "v", AttributeAction::refused, "symmetry groups"},
     {"noncontent", "vef", AttributeAction::refused, "elements that do not count in volumes"},
 }};

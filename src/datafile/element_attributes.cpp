@@ -77,6 +77,7 @@ class AttributeReader {
   void quantity();
   void turn();
   void orientation(const Token& word);
+  void wrap(const Token& word);
   void refuse_both(const std::optional<GivenValue>& other, const Token& word);
   void declared(film::Column& column, const Token& word);
   void braced(film::Column& column, const Token& word, std::size_t dimension, int first, int count);
@@ -182,6 +183,8 @@ void AttributeReader::known(const AttributeWord& attribute, const Token& word) {
       return boundary(word);
     case AttributeAction::orientation:
       return orientation(word);
+    case AttributeAction::wrap:
+      return wrap(word);
     case AttributeAction::nothing:
       while (line_.at_number()) line_.value();
       return;
@@ -190,6 +193,20 @@ void AttributeReader::known(const AttributeWord& attribute, const Token& word) {
       line_.skip_line();
       return;
   }
+}
+
+// As a number: six bits for each period, of which five are its wrap in two's complement.
+void AttributeReader::wrap(const Token& word) {
+  const auto code = static_cast<std::int64_t>(truncated(value(word, "the number of a wrap"), line_));
+  if (!reading_.periods)
+    throw text::Error(word.place, "only edges of periodic films have wraps", "write torus above");
+  film::Wrap result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t bits = (code >> (6 * i)) & 31;
+    result.times[i] = static_cast<std::int32_t>(bits < 16 ? bits : bits - 32);
+  }
+  reading_.rows.edge_wraps.resize(reading_.rows.edge_ends.size());
+  reading_.rows.edge_wraps[row_] = result;
 }
 
 void AttributeReader::original(const Token& word) {

@@ -291,7 +291,7 @@ void ListReader::ends() {
     ends[end] = reference("vertex");
     rows().edge_end_spots.back()[end] = spot;
   }
-  if (reading_.periods) wrap();
+  if (reading_.periods && !reading_.wraps_are_attributes) wrap();
   if (!line_.at_line_end() && line_.at_whole()) {
     throw text::Error(line_.place(line_.here()), fmt::format("edge {} has more than two vertices", id));
   }

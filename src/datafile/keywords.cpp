@@ -32,8 +32,7 @@ struct RefusedWord {
   std::string_view feature;
 };
 
-constexpr std::array<RefusedWord, 45> refused_words = {{
-    {"symmetry_group", "symmetry groups"},
+constexpr std::array<RefusedWord, 41> refused_words = {{
     {"rotation_order", "symmetry groups"},
     {"quadratic", "the quadratic model"},
     {"lagrange", "the Lagrange model"},
@@ -64,9 +63,6 @@ constexpr std::array<RefusedWord, 45> refused_words = {{
     {"load_library", "compiled libraries"},
     {"everything_quantities", "named quantities"},
     {"convert_to_quantities", "named quantities"},
-    {"autopop", "ways of moving that are set in the top section"},
-    {"autochop", "ways of moving that are set in the top section"},
-    {"area_normalization", "ways of moving that are set in the top section"},
     {"effective_area", "ways of moving that are set in the top section"},
     {"approximate_curvature", "ways of moving that are set in the top section"},
     {"approx_curvature", "ways of moving that are set in the top section"},

@@ -25,6 +25,7 @@ struct Reading {
   Rows rows;
   std::vector<text::Place> procedures;  // of the top section, from their first word to the closing brace
   std::optional<std::array<film::Vec3, 3>> periods;  // of a periodic film
+  bool wraps_are_attributes = false;                 // of edges, in place of signs
   text::Place dimension_place;                       // where that of space was given
   bool keep_originals = false;                       // elements keep their numbers
   bool keep_macros = false;                          // macros stay in force in the commands after `read`

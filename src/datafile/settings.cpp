@@ -72,6 +72,22 @@ void read_torus(Reading& reading, const Token&) {
   if (!reading.periods) reading.periods = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 }
 
+// The group of translations by whole periods is known; there edges tell their wraps by number.
+void read_symmetry_group(Reading& reading, const Token& word) {
+  const Token name = reading.tokens.take();
+  if (text::lower(name.text).find("torus") == std::string::npos)
+    return reading.refuse(word.place, "symmetry_group", "symmetry groups");
+  read_torus(reading, word);
+  reading.wraps_are_attributes = true;
+}
+
+// Ways of moving that `g` does not have: they change nothing of what is loaded.
+void read_way_of_moving(Reading& reading, const Token& word) {
+  if (top_value_follows(reading)) number_after(reading, word);
+  reading.findings.warning(
+      word.place, fmt::format("\"{}\" is not supported: g will move without it", text::lower(word.text)));
+}
+
 void read_periods(Reading& reading, const Token& word) {
   std::array<film::Vec3, 3> periods{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const int dimension = reading.scene.strings.dimension;
@@ -87,8 +103,12 @@ void read_periods(Reading& reading, const Token& word) {
   reading.periods = periods;
 }
 
-constexpr std::array<Setting, 24> setting_table = {{
+constexpr std::array<Setting, 28> setting_table = {{
     {"torus", read_torus},
+    {"symmetry_group", read_symmetry_group},
+    {"autopop", read_way_of_moving},
+    {"autochop", read_way_of_moving},
+    {"area_normalization", read_way_of_moving},
     {"torus_filled", read_torus},
     {"periods", read_periods},
     {"torus_periods", read_periods},

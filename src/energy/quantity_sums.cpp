@@ -89,7 +89,36 @@ ElementJet mean_height(std::span<const Vec3> corners) {
   return jet;
 }
 
+// The mean of z^2/2 over a triangle.
+ElementJet mean_moment(std::span<const Vec3> corners) {
+  ElementJet jet;
+  const double sum = corners[0].z + corners[1].z + corners[2].z;
+  for (std::size_t i = 0; i < 3; ++i) {
+    jet.value += corners[i].z * (corners[i].z + sum) / 24;
+    jet.gradient[i] = {0, 0, (corners[i].z + sum) / 12};
+    for (std::size_t k = 0; k < 3; ++k) jet.hessian[i][k].z.z = (i == k ? 2.0 : 1.0) / 12;
+  }
+  return jet;
+}
+
+// Where the total curvature of a surface is taken: what is fixed, or on a boundary, or marked for it.
+bool on_boundary(const scene::Scene& scene, ElementKind kind, std::uint32_t row) {
+  const film::Columns& columns = scene.film.columns(kind);
+  const char* const mark = kind == ElementKind::vertex ? "gauss_bdry_v" : "gauss_bdry_e";
+  if (const film::Column* const column = columns.find(mark)) return column->value(row) != 0;
+  const auto fixed = columns.flags("fixed");
+  return (!fixed.empty() && fixed[row] != 0) || scene::boundary_of(scene, kind, row) != 0;
+}
+
+// How much heavier it is behind a facet than in front.
+double density_step(const scene::Scene& scene, Triangle t) {
+  const auto density = [&](film::Region r) { return r.outside() ? 0.0 : scene.body(r).density; };
+  const film::RegionPair pair = scene.film.regions(t);
+  return density(pair.behind) - density(pair.front);
+}
+
 double tension_of(const scene::Scene& scene, Method method, std::uint32_t row) {
+  if (method == Method::gravity_method) return density_step(scene, Triangle(row));
   if (method == Method::density_facet_area) return scene::tension(scene, Triangle(row));
   if (method != Method::density_edge_length) return 1;
   const std::span<const double> tension = scene.film.columns(ElementKind::edge).reals("tension");
@@ -116,6 +145,9 @@ void QuantitySum::collect(const scene::Scene& scene, const scene::Quantity& quan
       instance.element_modulus.empty() ? nullptr : scene.film.columns(kind).find(instance.element_modulus);
   const bool of_stars =
       instance.method == Method::sq_mean_curvature || instance.method == Method::star_perp_sq_mean_curvature;
+  const bool of_angles = instance.method == Method::mean_curvature_integral ||
+                         instance.method == Method::gauss_curvature_integral ||
+                         instance.method == Method::star_gauss_curvature;
   Part part;
   part.instance = &instance;
   part.corners = kind == ElementKind::vertex ? 1 : kind == ElementKind::edge ? 2 : 3;
@@ -125,6 +157,10 @@ void QuantitySum::collect(const scene::Scene& scene, const scene::Quantity& quan
     if (weight != nullptr) factor *= weight->value(row);
     factor *= tension_of(scene, instance.method, row);
     if (factor == 0) continue;
+    if (of_angles) {
+      collect_angles(scene, instance.method, row, factor, unfolding);
+      continue;
+    }
     if (of_stars) {
       stars_.push_back({star_of(scene.film, unfolding, Vertex(row)), instance.method, factor});
       if (instance.method == Method::star_perp_sq_mean_curvature)
@@ -140,6 +176,32 @@ void QuantitySum::collect(const scene::Scene& scene, const scene::Quantity& quan
     }
   }
   if (!part.elements.empty()) parts_.push_back(std::move(part));
+}
+
+void QuantitySum::collect_angles(const scene::Scene& scene, Method method, std::uint32_t row, double factor,
+                                 const film::Unfolding& unfolding) {
+  const Film& film = scene.film;
+  if (method == Method::mean_curvature_integral) return angles_.add_edge(film, unfolding, Edge(row), factor);
+  const auto rows_of_facet = [&](Triangle t) {
+    return unfolding.empty() ? film.corners(t) : unfolding.triangles()[t.index];
+  };
+  if (method == Method::star_gauss_curvature) {
+    angles_.add_constant(2 * M_PI * factor);
+    film.for_each_end(Vertex(row), [&](film::EdgeEnd end) {
+      film.for_each_side(end.edge(), [&](film::Side s) {
+        if (film.tail(film.edge_of(s)) == Vertex(row))
+          angles_.add_corner(-factor, rows_of_facet(s.triangle()), static_cast<std::size_t>(s.corner()));
+      });
+    });
+    return;
+  }
+  const Triangle t(row);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (on_boundary(scene, ElementKind::vertex, film.corners(t)[k].index))
+      angles_.add_corner(factor, rows_of_facet(t), k);
+    if (on_boundary(scene, ElementKind::edge, film.edges(t)[k].edge().index))
+      angles_.add_constant(-M_PI * factor);
+  }
 }
 
 ElementJet QuantitySum::jet(const Part& part, const Element& element, std::span<const Vec3> positions,
@@ -192,6 +254,12 @@ ElementJet QuantitySum::jet(const Part& part, const Element& element, std::span<
       return general_jet(integrand(instance.scalar), corners, points, order);
     case Method::facet_volume:
       return product(area_component(corners, 2), mean_height(corners), order);
+    case Method::gravity_method:
+      return product(area_component(corners, 2), mean_moment(corners), order);
+    case Method::mean_curvature_integral:
+    case Method::gauss_curvature_integral:
+    case Method::star_gauss_curvature:
+      break;  // they are made of angles
     case Method::sq_mean_curvature:
     case Method::star_perp_sq_mean_curvature:
       break;  // they are taken of stars
@@ -200,7 +268,7 @@ ElementJet QuantitySum::jet(const Part& part, const Element& element, std::span<
 }
 
 double QuantitySum::value(std::span<const Vec3> positions, double time) const {
-  double sum = constant_;
+  double sum = constant_ + angles_.value(positions);
   for (const Part& part : parts_) {
     for (const Element& element : part.elements)
       sum += element.factor * jet(part, element, positions, time, Order::value).value;
@@ -210,7 +278,7 @@ double QuantitySum::value(std::span<const Vec3> positions, double time) const {
 }
 
 double QuantitySum::size(std::span<const Vec3> positions, double time) const {
-  double sum = std::abs(constant_);
+  double sum = std::abs(constant_) + std::abs(angles_.value(positions));
   for (const Part& part : parts_) {
     for (const Element& element : part.elements)
       sum += std::abs(element.factor * jet(part, element, positions, time, Order::value).value);
@@ -222,7 +290,7 @@ double QuantitySum::size(std::span<const Vec3> positions, double time) const {
 
 double QuantitySum::add_gradient(std::span<const Vec3> positions, double time, double factor,
                                  std::span<Vec3> gradient) const {
-  double sum = constant_;
+  double sum = constant_ + angles_.add_gradient(positions, factor, gradient);
   for (const Part& part : parts_) {
     for (const Element& element : part.elements) {
       const ElementJet j = jet(part, element, positions, time, Order::gradient);
@@ -265,6 +333,7 @@ std::vector<std::uint32_t> QuantitySum::support() const {
       for (std::size_t i = 0; i < part.corners; ++i) vertices.push_back(element.corners[i].index);
     }
   }
+  angles_.for_each_row([&](std::uint32_t row) { vertices.push_back(row); });
   for (const Star& star : stars_) {
     for (const auto& corners : star.star.triangles)
       vertices.insert(vertices.end(), corners.begin(), corners.end());

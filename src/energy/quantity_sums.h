@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "energy/angle_sums.h"
 #include "energy/element_jet.h"
 #include "energy/vertex_star.h"
 #include "film/unfolding.h"
@@ -34,8 +35,8 @@ class QuantitySum {
   // Adds `factor` times the gradient to a row for each vertex; returns the value.
   double add_gradient(std::span<const Vec3> positions, double time, double factor,
                       std::span<Vec3> gradient) const;
-  // False where a method has no second derivatives here (those of stars of vertices).
-  bool has_hessian() const { return stars_.empty(); }
+  // False where a method has no second derivatives here (those of stars of vertices and of angles).
+  bool has_hessian() const { return stars_.empty() && angles_.empty(); }
   void add_hessian(std::span<const Vec3> positions, double time, double factor, HessianSink& sink) const;
 
   // The rows on which it depends, ascending.
@@ -62,11 +63,14 @@ class QuantitySum {
   void collect(const scene::Scene& scene, const scene::Quantity& quantity,
                const scene::MethodInstance& instance, std::span<const Vec3> positions,
                const film::Unfolding& unfolding);
+  void collect_angles(const scene::Scene& scene, scene::Method method, std::uint32_t row, double factor,
+                      const film::Unfolding& unfolding);
   ElementJet jet(const Part& part, const Element& element, std::span<const Vec3> positions, double time,
                  Order order) const;
 
   std::vector<Part> parts_;
   std::vector<Star> stars_;
+  AngleSums angles_;
   int edge_order_ = 3;
   int facet_order_ = 6;
   double constant_ = 0;

@@ -15,7 +15,7 @@ struct MethodRow {
   bool oriented;
 };
 
-constexpr std::array<MethodRow, 15> rows = {{
+constexpr std::array<MethodRow, 20> rows = {{
     {Method::vertex_scalar_integral, "vertex_scalar_integral", ElementKind::vertex, false},
     {Method::edge_length, "edge_length", ElementKind::edge, false},
     {Method::edge_length, "edge_tension", ElementKind::edge, false},
@@ -29,6 +29,11 @@ constexpr std::array<MethodRow, 15> rows = {{
     {Method::facet_scalar_integral, "facet_scalar_integral", ElementKind::facet, false},
     {Method::facet_vector_integral, "facet_vector_integral", ElementKind::facet, true},
     {Method::facet_general_integral, "facet_general_integral", ElementKind::facet, false},
+    {Method::gravity_method, "gravity_method", ElementKind::facet, true},
+    {Method::mean_curvature_integral, "mean_curvature_integral", ElementKind::edge, false},
+    {Method::gauss_curvature_integral, "gauss_curvature_integral", ElementKind::facet, false},
+    {Method::star_gauss_curvature, "star_gauss_curvature", ElementKind::vertex, false},
+    {Method::star_gauss_curvature, "total_gauss_curvature", ElementKind::vertex, false},
     {Method::sq_mean_curvature, "sq_mean_curvature", ElementKind::vertex, false},
     {Method::star_perp_sq_mean_curvature, "star_perp_sq_mean_curvature", ElementKind::vertex, false},
 }};

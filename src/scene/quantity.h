@@ -24,6 +24,10 @@ enum class Method : std::uint8_t {
   facet_scalar_integral,        // a function over the area
   facet_vector_integral,        // a field through the facet
   facet_general_integral,       // a function of position and area vector
+  gravity_method,               // z^2/2 over its shadow, times the difference of the bodies' densities
+  mean_curvature_integral,      // of an edge: half its length times the angle by which the film turns there
+  gauss_curvature_integral,     // of facets: their angles at the boundary, less pi for each edge of it
+  star_gauss_curvature,         // of a vertex: 2 pi less the angles around it
   sq_mean_curvature,            // of a vertex: 3/4 F.F/A, F the gradient of the area A around it
   star_perp_sq_mean_curvature,  // 3/4 A (F.N/N.N)^2, N the gradient of volume; both within its constraints
 };

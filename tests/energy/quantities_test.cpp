@@ -23,6 +23,11 @@ scene::Scene scene_with(Method method) {
   scene::Scene scene;
   scene.film = test::cube().film;
   scene.bodies.resize(1);
+  scene.bodies[0].density = 1.3;
+  film::Column fixed = film::flag_column("fixed");
+  fixed.resize(scene.film.vertex_rows());
+  for (const std::uint32_t v : {0U, 1U, 3U}) fixed.set(v, 0, 1);
+  scene.film.columns(film::ElementKind::vertex).add(std::move(fixed));
   test::jitter(scene.film, 7, 0.15);
   MethodInstance instance;
   instance.method = method;
@@ -110,9 +115,22 @@ INSTANTIATE_TEST_SUITE_P(All, Methods,
                                          Method::edge_scalar_integral, Method::edge_vector_integral,
                                          Method::facet_area, Method::density_facet_area, Method::facet_volume,
                                          Method::facet_scalar_integral, Method::facet_vector_integral,
-                                         Method::facet_general_integral, Method::sq_mean_curvature,
+                                         Method::facet_general_integral, Method::gravity_method,
+                                         Method::mean_curvature_integral, Method::star_gauss_curvature,
+                                         Method::gauss_curvature_integral, Method::sq_mean_curvature,
                                          Method::star_perp_sq_mean_curvature),
                          [](const auto& parameter) { return std::string(scene::name_of(parameter.param)); });
+
+// Twelve edges of a cube turn by a right angle; eight corners lack a quarter of a circle each.
+TEST(QuantitiesOfAngles, OfACube) {
+  scene::Scene scene = scene_with(Method::mean_curvature_integral);
+  scene.film = test::cube().film;
+  scene.quantities[0].modulus = scene.quantities[0].methods[0].modulus = 1;
+  const double side = std::sqrt(measure(scene).area / 6);
+  EXPECT_NEAR(quantity_value(scene, 0), 12 * side * M_PI / 4, 1e-13);
+  scene.quantities[0].methods[0].method = Method::star_gauss_curvature;
+  EXPECT_NEAR(quantity_value(scene, 0), 4 * M_PI, 1e-13);
+}
 
 // What the film's energy makes of a quantity.
 TEST(QuantitiesInEnergy, CountInValueAndGradient) {
