@@ -148,13 +148,8 @@ std::string encode_picture(const scene::Scene& scene, FileKind kind, const Pictu
   }
   if (kind == FileKind::png) return encode_png(render(scene, options));
   if (kind == FileKind::html) {
-    const Prepared prepared = prepare(scene, options);
     Page page;
-    page.title = scene.name;
-    page.style = options.style;
-    page.bodies = static_cast<std::uint32_t>(scene.bodies.size());
-    page.camera = prepared.camera;
-    page.frames.push_back({prepared.drawing, scene.time});
+    add_frame(page, scene, options);
     return write_page(page);
   }
   const Paper drawing = paper(scene, options);
