@@ -17,7 +17,7 @@ struct RecordWords : PictureWords {
 };
 
 // Takes a frame at the beginning, and then at even times, between two steps where they fall there; or each
-// `every` steps. Steps in which no time passes (relax, g) are a frame each.
+// `every` steps.
 class Recorder {
  public:
   Recorder(Session& session, const RecordWords& words, exchange::Recording& recording)
@@ -28,6 +28,12 @@ class Recorder {
     add(scene);
   }
 
+  // After the last step, which may end later than anyone was told of it.
+  void end() {
+    const scene::Scene& scene = session_.scene();
+    if (!words_.every && scene.time > last_time_) add_until(scene);
+  }
+
   void look() {
     // Positions change in place while a computation runs: values kept by revision are those of before.
     session_.scene().film.edit_positions();
@@ -36,8 +42,6 @@ class Recorder {
       if (++steps_ % *words_.every == 0) add(scene);
     } else if (scene.time > last_time_) {
       add_until(scene);
-    } else {
-      add(scene);
     }
     remember(scene);
   }
@@ -64,8 +68,16 @@ class Recorder {
     return result;
   }
 
+  // Formulas of the words are evaluated while the commands run, among local values of their own: a place for
+  // each loop that a formula may nest.
+  picture::PictureOptions options_now() {
+    constexpr std::uint32_t places = 1024;
+    const language::Evaluation::Frame frame(session_.evaluation(), places);
+    return picture_options(session_, words_);
+  }
+
   void add(const scene::Scene& scene) {
-    picture::PictureOptions options = picture_options(session_, words_);
+    picture::PictureOptions options = options_now();
     if (!framing_) framing_ = picture::framing_of(scene, options);
     options.framing = framing_;
     if (options.content.field) {
@@ -132,8 +144,12 @@ void run(Session& session, const RecordWords& words) {
     Recorder recorder(session, words, *recording);
     const Following following(session, recorder);
     session.run_within(*words.commands.block);
+    recorder.end();
   }
   if (session.monitor().stop_requested()) return;
+  if (recording->frames() == 1)
+    session.warn(words.every ? "fewer steps were made than from one frame to the next"
+                             : "no time has passed from which to take frames: every=1 takes each step");
   const std::string written = placed([&] { return recording->finish(); });
   session.tell("{} frames in {}\n", recording->frames(), written);
 }

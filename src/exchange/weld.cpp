@@ -102,6 +102,15 @@ class TriangleCollector {
   std::map<Triple, std::uint32_t> known_;
 };
 
+// A polygon as cells on both of its sides would have it: from its lowest corner towards the lower neighbour
+// of that. Returns whether it was turned. So two cells that share a polygon cut it alike.
+bool make_canonical(std::vector<std::uint32_t>& polygon) {
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  if (polygon[1] < polygon.back()) return false;
+  std::reverse(polygon.begin() + 1, polygon.end());
+  return true;
+}
+
 void weld_wires(Welded& welded, const Soup& soup, const std::vector<std::uint32_t>& number) {
   for (std::size_t i = 0; i < soup.wires.size(); ++i) {
     const std::array<std::uint32_t, 2> ends = {number[soup.wires[i][0]], number[soup.wires[i][1]]};
@@ -164,7 +173,9 @@ Welded weld(const Soup& soup, double tolerance) {
       continue;
     }
     const film::RegionPair* const regions = soup.regions.empty() ? nullptr : &soup.regions[i];
-    for (const Triple& t : triangulate(welded.points, polygon)) collector.add(t, regions);
+    const bool turned = make_canonical(polygon);
+    for (const Triple& t : triangulate(welded.points, polygon))
+      collector.add(turned ? Triple{t[0], t[2], t[1]} : t, regions);
   }
   weld_wires(welded, soup, number);
   drop_unused_points(welded);

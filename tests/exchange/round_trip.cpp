@@ -222,6 +222,23 @@ TEST(Import, PolygonsAreCutWhereTheyAreNotConvexToo) {
   EXPECT_NEAR(m.area, 7, 1e-12);
 }
 
+// Two cubes that share a wall, each with its squares; the wall's corners are listed from another one on.
+TEST(Import, SharedPolygonsAreCutAlike) {
+  const Folder folder;
+  text::write_whole_file(folder / "a.obj",
+                         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                         "v 2 0 0\nv 2 1 0\nv 2 0 1\nv 2 1 1\n"
+                         "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 4 1 5 8\nf 2 3 7 6\n"
+                         "f 2 3 10 9\nf 6 11 12 7\nf 2 9 11 6\nf 10 3 7 12\nf 9 10 12 11\nf 3 2 6 7\n");
+  const Imported imported = import_scene(folder / "a.obj", {});
+  const Measured m = measured(imported.scene);
+  EXPECT_EQ(imported.duplicates, 2U);
+  EXPECT_EQ(m.facets, 22U);
+  ASSERT_EQ(m.volumes.size(), 3U);
+  EXPECT_NEAR(m.volumes[1], 1, 1e-12);
+  EXPECT_NEAR(m.volumes[2], 1, 1e-12);
+}
+
 TEST(Import, LabelsTellRegions) {
   const Folder folder;
   text::write_whole_file(folder / "a.obj",
