@@ -54,21 +54,21 @@ fi
 # A foam of 59 Kelvin cells, whose outer ones have room to become round.
 if wanted foam || wanted foam_cells; then
   awk -v radius=7 -f "$here/kelvin.awk" > "$scratch/kelvin.obj"
-  "$lamella" -q -e "import \"$scratch/kelvin.obj\"; relax; refine; relax; refine; relax 30" \
-    -e "show \"$here/foam.png\" size=720x540" \
-    -e "show \"$here/foam_cells.png\" size=720x540 style=regions explode=0.3"
+  "$lamella" -q -e "import \"$scratch/kelvin.obj\"; relax; refine; relax" \
+    -e "show \"$here/foam.png\" size=1200x900" \
+    -e "show \"$here/foam_cells.png\" size=1200x900 style=regions explode=0.3"
   echo foam.png foam_cells.png
 fi
 
-# Two rings drawn apart: at 1.3255 radii the film between them gives way. What is left of its neck is a thread
+# Two rings drawn apart: further than 1.3255 radii the film between them gives way. What is left of its neck is a thread
 # without area, which is not drawn.
 if wanted pinch_1; then
   sed 's/cosh(half)/1/' "$data/catenoid_on_rings.fe" > "$scratch/rings.fe"
   view='size=360x420 from (0.3, -1, 0.25)'
-  "$lamella" -q "$scratch/rings.fe" -e 'half := 0.4; refine 4; relax' -e "show \"$here/pinch_1.png\" $view" \
+  "$lamella" -q "$scratch/rings.fe" -e 'half := 0.4; refine 3; relax' -e "show \"$here/pinch_1.png\" $view" \
     -e 'half := 0.66; relax' -e "show \"$here/pinch_2.png\" $view" \
-    -e 'half := 0.69; g 6; u; V; g 4; u; V' -e "show \"$here/pinch_3.png\" $view" \
-    -e 'g 60; u; V; g 60' -e "show facets where area > 1e-5 \"$here/pinch_4.png\" $view"
+    -e 'half := 0.68; recalc; { relax 2 } 4' -e "show \"$here/pinch_3.png\" $view" \
+    -e '{ relax 2 } 4; relax 20' -e "show facets where area > 2e-4 \"$here/pinch_4.png\" $view"
   echo pinch_1.png to pinch_4.png
 fi
 

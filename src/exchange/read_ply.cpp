@@ -98,9 +98,9 @@ class RowSource {
           fmt::format("\"{}\" ends within {} {} of {}", path_, element.name, number + 1, element.count));
     }
     char block[8];
-    std::memcpy(block, bytes_.data() + at_, size);
+    for (std::size_t i = 0; i < size; ++i)
+      block[i] = bytes_[at_ + (encoding_ == Encoding::big ? size - 1 - i : i)];
     at_ += size;
-    if (encoding_ == Encoding::big) std::reverse(block, block + size);
     return decoded(block, type);
   }
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "energy/vertex_star.h"
+#include "film/vertex_place.h"
 #include "session/constraint_attributes.h"
 #include "session/element_access.h"
 #include "text/error.h"
@@ -128,6 +130,24 @@ double dihedral(const Source& source, const Element& e, int) {
   const Vec3 a = area_vector(source, {ElementKind::facet, first.triangle().index, false});
   const Vec3 b = area_vector(source, {ElementKind::facet, second.triangle().index, !same_way});
   return film::angle_between(a, b);
+}
+
+// Half of how fast the area around a vertex grows with the volume under it: 1/r on a sphere whose normals
+// point outward. 0 where films meet or end.
+double mean_curvature(const Source& source, const Element& v, int) {
+  const film::Film& film = source.scene.film;
+  if (film::place_of(film, film::Vertex(v.row)).kind != film::PlaceKind::inside) return 0;
+  Vec3 growth;
+  Vec3 normal;
+  const Vec3 p = film.position(film::Vertex(v.row));
+  for (const auto& [second, third] : energy::star_of(film, film::Vertex(v.row)).others) {
+    const Vec3 q = film.position(film::Vertex(second));
+    const Vec3 r = film.position(film::Vertex(third));
+    const Vec3 area = cross(q - p, r - p) / 2;
+    growth += cross(unit(area), r - q) / 2;
+    normal += area / 3;
+  }
+  return dot(normal, normal) > 0 ? dot(growth, normal) / (2 * dot(normal, normal)) : 0;
 }
 
 film::RegionPair regions(const Source& source, const Element& f) {
@@ -331,6 +351,8 @@ void add_vertex_rows(std::deque<AttributeRow>& rows) {
   AttributeRow speed = computed(kind, "velocity", "as evolve moves it", velocity, set_velocity);
   speed.shape = {3};
   rows.push_back(speed);
+  rows.push_back(
+      computed(kind, "mean_curvature", "mean curvature of the film, 1/r on a sphere", mean_curvature));
   rows.push_back(kept(kind, "fixed", "fixed", "whether it stays where it is"));
   rows.push_back(kept(kind, "bare", "bare", "whether it is meant to have no edges"));
 }
