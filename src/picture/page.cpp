@@ -11,6 +11,7 @@
 
 #include "picture/interference.h"
 #include "picture/page_text.h"
+#include "picture/unwrap.h"
 
 namespace lamella::picture {
 
@@ -179,6 +180,15 @@ std::string base64(std::string_view bytes) {
 }
 
 void add_frame(Page& page, const scene::Scene& scene, const PictureOptions& options) {
+  if (scene.film.periodic()) {
+    FilmCopy copy = unwrap(scene, options.content);
+    copy.scene.name = scene.name;
+    copy.scene.time = scene.time;
+    PictureOptions plain = options;
+    plain.content = std::move(copy.content);
+    add_frame(page, copy.scene, plain);
+    return;
+  }
   const bool first = page.frames.empty();
   const Framing framing = options.framing && !first ? *options.framing : framing_of(scene, options);
   Content content = options.content;

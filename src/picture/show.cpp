@@ -116,6 +116,7 @@ std::string lower_extension(const std::string& path) {
 }  // namespace
 
 Framing framing_of(const scene::Scene& scene, const PictureOptions& options) {
+  if (scene.film.periodic()) return unwrapped(scene, options, framing_of);
   const Prepared prepared = prepare(scene, options);
   return {{prepared.drawing.middle, prepared.drawing.radius}, prepared.camera};
 }

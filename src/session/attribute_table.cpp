@@ -137,13 +137,15 @@ double dihedral(const Source& source, const Element& e, int) {
 double mean_curvature(const Source& source, const Element& v, int) {
   const film::Film& film = source.scene.film;
   if (film::place_of(film, film::Vertex(v.row)).kind != film::PlaceKind::inside) return 0;
+  const auto edge_to = [&](std::uint32_t other) {
+    return film.vector(film.find_edge(film::Vertex(v.row), film::Vertex(other)));
+  };
   Vec3 growth;
   Vec3 normal;
-  const Vec3 p = film.position(film::Vertex(v.row));
   for (const auto& [second, third] : energy::star_of(film, film::Vertex(v.row)).others) {
-    const Vec3 q = film.position(film::Vertex(second));
-    const Vec3 r = film.position(film::Vertex(third));
-    const Vec3 area = cross(q - p, r - p) / 2;
+    const Vec3 q = edge_to(second);
+    const Vec3 r = edge_to(third);
+    const Vec3 area = cross(q, r) / 2;
     growth += cross(unit(area), r - q) / 2;
     normal += area / 3;
   }
