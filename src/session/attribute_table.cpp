@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
-#include "energy/vertex_star.h"
 #include "film/vertex_place.h"
 #include "session/constraint_attributes.h"
 #include "session/element_access.h"
@@ -136,19 +135,24 @@ double dihedral(const Source& source, const Element& e, int) {
 // point outward. 0 where films meet or end.
 double mean_curvature(const Source& source, const Element& v, int) {
   const film::Film& film = source.scene.film;
-  if (film::place_of(film, film::Vertex(v.row)).kind != film::PlaceKind::inside) return 0;
-  const auto edge_to = [&](std::uint32_t other) {
-    return film.vector(film.find_edge(film::Vertex(v.row), film::Vertex(other)));
-  };
+  const film::Vertex vertex(v.row);
+  if (film::place_of(film, vertex).kind != film::PlaceKind::inside) return 0;
   Vec3 growth;
   Vec3 normal;
-  for (const auto& [second, third] : energy::star_of(film, film::Vertex(v.row)).others) {
-    const Vec3 q = edge_to(second);
-    const Vec3 r = edge_to(third);
-    const Vec3 area = cross(q, r) / 2;
-    growth += cross(unit(area), r - q) / 2;
-    normal += area / 3;
-  }
+  film.for_each_end(vertex, [&](film::EdgeEnd end) {
+    film.for_each_side(end.edge(), [&](Side s) {
+      const auto k = static_cast<std::size_t>(s.corner());
+      // Of a facet's two edges here, the one that runs away from the vertex counts.
+      if (film.corners(s.triangle())[k] != vertex) return;
+      const std::array<Vec3, 3> p = film.points(s.triangle());
+      const Vec3 q = p[(k + 1) % 3] - p[k];
+      const Vec3 r = p[(k + 2) % 3] - p[k];
+      const Vec3 area = cross(q, r) / 2;
+      growth += cross(unit(area), r - q) / 2;
+      // Facets of one film may be wound either way.
+      normal += (dot(area, normal) < 0 ? -1.0 / 3 : 1.0 / 3) * area;
+    });
+  });
   return dot(normal, normal) > 0 ? dot(growth, normal) / (2 * dot(normal, normal)) : 0;
 }
 
