@@ -120,7 +120,8 @@ bounds() {
   try six_bubbles datafiles/six_bubbles.fe "refine; relax 40" $fast
   try slivers datafiles/cube.fe "refine 3; relax; set vertices x 0.5+0.1*(x-0.5) where z > 0.5; vc" $fast
   try high_valence datafiles/motion/high_valence.fe "vc off" $fast
-  try obtuse datafiles/wire_cube.fe "refine 3; relax; shake 0.25" $fast
+  try obtuse datafiles/wire_cube.fe "refine 2; relax; shake 0.25" verlet
+  try obtuse_three_steps_relaxed datafiles/wire_cube.fe "refine 2; relax; shake 0.05; relax 3 keep_mesh" verlet
   cat manual/dynamics/bounds.csv
 }
 

@@ -130,9 +130,10 @@ void Motion::descend(double dt) {
   const std::span<const energy::VertexLine> lines = terms_.lines();
   energy::VolumeGradient& volume = terms_.volume_gradient();
   volume.set_multipliers(pressures_);
+  const bool free = errors_.empty() || paper_ != nullptr;
   damped_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
-    next_v_[v] = weights_[v] * (volume.pull(v) - lines[v].gradient);
+    next_v_[v] = weights_[v] * ((free ? Vec3{} : volume.pull(v)) - lines[v].gradient);
     if (!pushes_.empty() && weights_[v] != 0) {
       next_v_[v] += pushes_[v];
       work_ += dt * masses_[v] * dot(pushes_[v], next_v_[v]);

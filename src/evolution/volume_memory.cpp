@@ -10,6 +10,8 @@ namespace {
 constexpr const char* column_name = "volume_defect";
 constexpr int width = 3;  // last, before, miss
 constexpr double smooth_slope = 0.3;
+constexpr double failed =
+    1e-8;  // stands for a miss that made a step fail: nine halvings until it is forgotten
 constexpr double rounding = 1e-13;  // of a volume
 
 }  // namespace
@@ -35,10 +37,15 @@ double VolumeMemory::expected(std::size_t row, double dt) const {
 
 void VolumeMemory::note(std::size_t row, double dt, double left, double missed, double volume) {
   Row& r = rows_[row];
-  r.miss = std::abs(missed);
+  r.miss = std::isfinite(r.miss) ? std::max(std::abs(missed), 0.5 * r.miss) : std::abs(missed);
   if (std::abs(left) < rounding * volume) return;  // a step too short to tell
   r.before = r.last;
   r.last = left / (dt * dt);
+}
+
+void VolumeMemory::distrust() {
+  for (Row& row : rows_) row.miss = std::max(row.miss, failed);
+  finish();
 }
 
 void VolumeMemory::finish() {

@@ -1,7 +1,6 @@
 // What a step leaves of the volumes beyond first order, remembered so that the next can allow for it.
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "film/ids.h"
@@ -20,10 +19,11 @@ class VolumeMemory {
 
   // What a step by dt is expected to leave.
   double expected(std::size_t row, double dt) const;
-  // The largest part of its volume by which a body was missed in the last step; infinite without a memory.
+  // The largest part of its volume by which a body was missed of late: of earlier steps half counts, of those
+  // before a quarter. Infinite without a memory.
   double miss() const { return miss_; }
-  // From now on, until something is noted, the memory counts for nothing.
-  void distrust() { miss_ = HUGE_VAL; }
+  // What was foreseen has failed: it is not relied on for some steps.
+  void distrust();
   // What a step did leave, and by how much (in parts of the volume) that missed the volume wanted.
   void note(std::size_t row, double dt, double left, double missed, double volume);
   // After the notes of all rows.

@@ -105,4 +105,12 @@ Camera fit_camera(std::span<const Point> points, double radius, const View& view
   return camera;
 }
 
+void set_depths(Camera& camera, std::span<const Point> points, double radius) {
+  constexpr double nearest = 1e-3;
+  Range depth;
+  for (const Point& point : points) depth.include(camera.eye.z - turned(camera.axes, point).z);
+  camera.nearest = std::max(depth.low - radius, nearest);
+  camera.farthest = std::max(depth.high + radius, 2 * nearest);
+}
+
 }  // namespace lamella::picture

@@ -34,4 +34,7 @@ inline constexpr double margin = 0.06;
 // `aspect` is width over height.
 Camera fit_camera(std::span<const Point> points, double radius, const View& view, double aspect);
 
+// Sets the depths between which these points lie; what is behind the eye is not drawn.
+void set_depths(Camera& camera, std::span<const Point> points, double radius);
+
 }  // namespace lamella::picture

@@ -28,12 +28,19 @@ struct ClippingPlane {
   double offset = 0;
 };
 
+// A ball around the scene: the origin and the unit of a drawing's coordinates.
+struct Surrounding {
+  film::Vec3 middle;
+  double radius = 1;
+};
+
 struct Content {
   std::vector<std::uint8_t> facets;  // one a row: whether it is drawn; empty for all
   std::optional<ColourField> field;
   std::vector<double> thickness;  // nanometres, one a vertex row; empty for that of the style
   std::optional<ClippingPlane> clip;
-  double explode = 0;  // how far bodies move out, in distances from the scene's middle
+  double explode = 0;                      // how far bodies move out, in distances from the scene's middle
+  std::optional<Surrounding> surrounding;  // the scene's own unless given
 };
 
 }  // namespace lamella::picture

@@ -254,6 +254,10 @@ Drawing draw(const scene::Scene& scene, const Style& style, const Content& conte
   }
   Drawing drawing;
   measure(drawing, scene.film);
+  if (content.surrounding) {
+    drawing.middle = content.surrounding->middle;
+    drawing.radius = content.surrounding->radius;
+  }
   const Sheets sheets = find_sheets(scene.film, style.crease_angle);
   add_film(drawing, scene.film, sheets, style, content);
   measure_bends(drawing);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <span>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 
 #include "picture/interference.h"
 #include "picture/page_text.h"
+#include "picture/unwrap.h"
 
 namespace lamella::picture {
 
@@ -59,27 +61,60 @@ std::vector<float> line_numbers(const Drawing& drawing, const Drawing& first) {
   return numbers;
 }
 
-std::string frame_text(const PageFrame& frame, const Drawing& first) {
-  const Drawing& d = frame.drawing;
-  std::vector<std::array<float, 4>> tints = {};
-  if (!d.vertex_tints.empty()) {
-    for (const VertexTint& t : d.vertex_tints)
-      tints.push_back({t.colour.red, t.colour.green, t.colour.blue, t.strength});
-  } else if (!d.tints.empty()) {
-    tints.resize(d.positions.size());
-    for (std::size_t t = 0; t < d.triangles.size(); ++t) {
-      for (const std::uint32_t v : d.triangles[t]) {
-        const Tint& tint = d.tints[t];
-        tints[v] = {tint.front.red, tint.front.green, tint.front.blue, tint.front_strength};
-      }
-    }
+// A colour and its strength for each vertex; none where nothing is coloured.
+std::vector<std::array<float, 4>> vertex_paint(const Drawing& d) {
+  std::vector<std::array<float, 4>> paint;
+  for (const VertexTint& t : d.vertex_tints)
+    paint.push_back({t.colour.red, t.colour.green, t.colour.blue, t.strength});
+  if (!paint.empty() || d.tints.empty()) return paint;
+  paint.resize(d.positions.size());
+  for (std::size_t t = 0; t < d.triangles.size(); ++t) {
+    const Tint& tint = d.tints[t];
+    for (const std::uint32_t v : d.triangles[t])
+      paint[v] = {tint.front.red, tint.front.green, tint.front.blue, tint.front_strength};
   }
-  return fmt::format(
-      "{{time:{},positions:\"{}\",normals:\"{}\",thickness:\"{}\",regions:\"{}\",tints:\"{}\",triangles:\"{}"
-      "\","
-      "lines:\"{}\"}}",
-      frame.time, packed(common_places(d.positions, d, first)), packed(d.normals), packed(d.thickness),
-      packed(vertex_regions(d)), packed(tints), packed(d.triangles), packed(line_numbers(d, first)));
+  return paint;
+}
+
+// The arrays of a frame. One that is as in the frame before is left out.
+class FrameWriter {
+ public:
+  explicit FrameWriter(const Drawing& first) : first_(first) {}
+
+  std::string write(const PageFrame& frame) {
+    const Drawing& d = frame.drawing;
+    text_ = fmt::format("{{time:{}", frame.time);
+    put("positions", packed(common_places(d.positions, d, first_)));
+    put("normals", packed(d.normals));
+    put("thickness", packed(d.thickness));
+    put("regions", packed(vertex_regions(d)));
+    put("tints", packed(vertex_paint(d)));
+    put("triangles", packed(d.triangles));
+    put("lines", packed(line_numbers(d, first_)));
+    return text_ + "}";
+  }
+
+ private:
+  void put(const std::string& name, std::string data) {
+    const auto [at, made] = before_.try_emplace(name);
+    if (!made && at->second == data) return;
+    text_ += fmt::format(",{}:\"{}\"", name, data);
+    at->second = std::move(data);
+  }
+
+  const Drawing& first_;
+  std::string text_;
+  std::map<std::string, std::string> before_;
+};
+
+// The colours of a field from its low end to its high one, or null.
+std::string field_text(const std::optional<ColourField>& field) {
+  if (!field) return "null";
+  constexpr int steps = 16;
+  std::vector<std::string> colours;
+  for (int i = 0; i <= steps; ++i)
+    colours.push_back(colour_list(colour_of(field->map, static_cast<double>(i) / steps)));
+  return fmt::format("{{low:{},high:{},colours:[{}]}}", field->low, field->high, fmt::join(colours, ","));
 }
 
 // The table of interference as bytes; 85 is 1.
@@ -144,10 +179,34 @@ std::string base64(std::string_view bytes) {
   return result;
 }
 
+void add_frame(Page& page, const scene::Scene& scene, const PictureOptions& options) {
+  if (scene.film.periodic()) {
+    FilmCopy copy = unwrap(scene, options.content);
+    copy.scene.name = scene.name;
+    copy.scene.time = scene.time;
+    PictureOptions plain = options;
+    plain.content = std::move(copy.content);
+    add_frame(page, copy.scene, plain);
+    return;
+  }
+  const bool first = page.frames.empty();
+  const Framing framing = options.framing && !first ? *options.framing : framing_of(scene, options);
+  Content content = options.content;
+  content.surrounding = framing.surrounding;
+  page.frames.push_back({draw(scene, options.style, content), scene.time});
+  page.bodies = std::max(page.bodies, static_cast<std::uint32_t>(scene.bodies.size()));
+  if (!first) return;
+  page.title = scene.name;
+  page.style = options.style;
+  page.camera = framing.camera;
+  page.field = options.content.field;
+}
+
 std::string write_page(const Page& page) {
   const Drawing& first = page.frames.front().drawing;
   std::vector<std::string> frames;
-  for (const PageFrame& frame : page.frames) frames.push_back(frame_text(frame, first));
+  FrameWriter writer(first);
+  for (const PageFrame& frame : page.frames) frames.push_back(writer.write(frame));
   const Axes& a = page.camera.axes;
   const std::string camera =
       fmt::format("{{axes:[{},{},{},{},{},{},{},{},{}],eye:[{},{},{}],slope:{}}}", a[0].x, a[0].y, a[0].z,
@@ -158,6 +217,9 @@ std::string write_page(const Page& page) {
   replace(text, "@title@", escaped(name.empty() ? "Lamella" : name));
   replace(text, "@camera@", camera);
   replace(text, "@style@", style_text(page));
+  replace(text, "@field@", field_text(page.field));
+  replace(text, "@field_title@", page.field ? escaped(page.field->title) : "");
+  replace(text, "@rate@", fmt::format("{}", page.frames_per_second));
   replace(text, "@interference@", interference_text());
   replace(text, "@frames@", fmt::format("[{}]", fmt::join(frames, ",\n")));
   return text;

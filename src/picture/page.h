@@ -1,11 +1,13 @@
 // A page for a web browser in which a scene can be turned: one file, no network.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "picture/camera.h"
 #include "picture/drawing.h"
+#include "picture/show.h"
 #include "picture/style.h"
 
 namespace lamella::picture {
@@ -22,7 +24,12 @@ struct Page {
   std::uint32_t bodies = 0;
   Camera camera;                  // how the first frame is looked at to begin with
   std::vector<PageFrame> frames;  // more than one are played
+  double frames_per_second = 30;
+  std::optional<ColourField> field;  // whose colours stand in the legend; its values are not looked at
 };
+
+// Adds a moment. The first one decides the title, the style and, without a framing in the options, the view.
+void add_frame(Page& page, const scene::Scene& scene, const PictureOptions& options);
 
 // The page as HTML.
 std::string write_page(const Page& page);

@@ -16,6 +16,9 @@ constexpr std::string_view text = R"html(<!DOCTYPE html>
   #panel { position: fixed; top: 12px; left: 12px; padding: 8px 12px; border-radius: 6px; background: #ffffffc8; }
   #panel label { display: block; }
   #legend span { display: inline-block; width: 0.9em; height: 0.9em; margin-right: 0.4em; border-radius: 2px; }
+  #scale { display: none; width: 180px; margin-top: 6px; }
+  #bar { height: 12px; border-radius: 2px; }
+  #ends { display: flex; justify-content: space-between; }
   #player { position: fixed; bottom: 14px; left: 12px; right: 12px; display: none; gap: 10px; align-items: center; }
   #player input { flex: 1; }
   #message { position: fixed; top: 45%; width: 100%; text-align: center; }
@@ -28,6 +31,7 @@ constexpr std::string_view text = R"html(<!DOCTYPE html>
   <label><input type="checkbox" id="lines" checked> borders and wires</label>
   <label><input type="checkbox" id="coloured"> colours of bodies</label>
   <div id="legend"></div>
+  <div id="scale"><div>@field_title@</div><div id="bar"></div><div id="ends"><span></span><span></span></div></div>
 </div>
 <div id="player"><button id="play">play</button><input type="range" id="frame" min="0" value="0"><span id="time"></span></div>
 <div id="message"></div>
@@ -36,6 +40,8 @@ constexpr std::string_view text = R"html(<!DOCTYPE html>
 const camera = @camera@;
 const style = @style@;
 const interference = @interference@;
+const field = @field@;
+const rate = @rate@;
 const frames = @frames@;
 )html"
                                   R"html(
@@ -43,6 +49,8 @@ function bytes(text) { return Uint8Array.from(atob(text), c => c.charCodeAt(0));
 function floats(text) { return new Float32Array(bytes(text).buffer); }
 const byId = id => document.getElementById(id);
 
+// What a frame does not say is as in the one before.
+for (let i = 1; i < frames.length; ++i) frames[i] = Object.assign({}, frames[i - 1], frames[i]);
 for (const f of frames) {
   f.positions = floats(f.positions);
   f.normals = floats(f.normals);
@@ -342,16 +350,24 @@ style.bodies.slice(0, 63).forEach((c, b) => {
   byId("legend").append(label);
 });
 
+if (field) {
+  byId("scale").style.display = "block";
+  byId("bar").style.background = "linear-gradient(to right," + field.colours.map(toScreen).join(",") + ")";
+  byId("ends").children[0].textContent = Number(field.low.toPrecision(4));
+  byId("ends").children[1].textContent = Number(field.high.toPrecision(4));
+}
 if (frames.length > 1) {
   byId("player").style.display = "flex";
   byId("frame").max = frames.length - 1;
   const show = i => { now = i; byId("frame").value = i; redraw(); };
   byId("frame").addEventListener("input", () => show(Number(byId("frame").value)));
+  const asked = parseInt(location.hash.slice(1));  // page.html#12 begins at frame 12
+  if (asked >= 0 && asked < frames.length) show(asked);
   let timer = 0;
   byId("play").addEventListener("click", () => {
     byId("play").textContent = timer ? "play" : "stop";
     if (timer) { clearInterval(timer); timer = 0; return; }
-    timer = setInterval(() => show((now + 1) % frames.length), 1000 / 30);
+    timer = setInterval(() => show((now + 1) % frames.length), 1000 / rate);
   });
 }
 canvas.style.background = "linear-gradient(" + toScreen(style.top) + "," + toScreen(style.bottom) + ")";

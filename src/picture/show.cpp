@@ -66,13 +66,20 @@ struct Prepared {
 
 Prepared prepare(const scene::Scene& scene, const PictureOptions& options) {
   refuse_bad_size(options);
-  Prepared prepared{draw(scene, options.style, options.content), {}, 1};
+  Content content = options.content;
+  if (options.framing) content.surrounding = options.framing->surrounding;
+  Prepared prepared{draw(scene, options.style, content), {}, 1};
   if (prepared.drawing.empty()) refuse_nothing(options);
-  const View view = options.view ? *options.view : view_of(scene);
   prepared.aspect = static_cast<double>(options.width) / options.height;
   // Films that are shrunk to a point are still looked at from a distance.
   const double around = std::max(prepared.drawing.largest_tube(), 1e-3);
-  prepared.camera = fit_camera(prepared.drawing.outline(), around, view, prepared.aspect);
+  if (options.framing) {
+    prepared.camera = options.framing->camera;
+    set_depths(prepared.camera, prepared.drawing.outline(), around);
+  } else {
+    const View view = options.view ? *options.view : view_of(scene);
+    prepared.camera = fit_camera(prepared.drawing.outline(), around, view, prepared.aspect);
+  }
   return prepared;
 }
 
@@ -108,6 +115,12 @@ std::string lower_extension(const std::string& path) {
 
 }  // namespace
 
+Framing framing_of(const scene::Scene& scene, const PictureOptions& options) {
+  if (scene.film.periodic()) return unwrapped(scene, options, framing_of);
+  const Prepared prepared = prepare(scene, options);
+  return {{prepared.drawing.middle, prepared.drawing.radius}, prepared.camera};
+}
+
 FileKind file_kind(const std::string& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".png" || extension.empty()) return FileKind::png;
@@ -136,13 +149,8 @@ std::string encode_picture(const scene::Scene& scene, FileKind kind, const Pictu
   }
   if (kind == FileKind::png) return encode_png(render(scene, options));
   if (kind == FileKind::html) {
-    const Prepared prepared = prepare(scene, options);
     Page page;
-    page.title = scene.name;
-    page.style = options.style;
-    page.bodies = static_cast<std::uint32_t>(scene.bodies.size());
-    page.camera = prepared.camera;
-    page.frames.push_back({prepared.drawing, scene.time});
+    add_frame(page, scene, options);
     return write_page(page);
   }
   const Paper drawing = paper(scene, options);

@@ -22,10 +22,10 @@ struct Surroundings {
 };
 
 struct FilmStyle {
-  double opacity = 0.10;          // seen head on
+  double opacity = 0.11;          // seen head on
   double grazing = 0.92;          // seen edge on
   double falloff = 2.4;           // how late the one becomes the other
-  double iridescence = 0.6;       // 0 grey to 1 full interference colours
+  double iridescence = 0.85;      // 0 grey to 1 full interference colours
   double thickness_top = 200;     // nanometres at the highest point of the scene,
   double thickness_bottom = 560;  // and at the lowest: films drain downwards
   double highlights = 1.0;

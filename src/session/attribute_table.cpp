@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "film/vertex_place.h"
 #include "session/constraint_attributes.h"
 #include "session/element_access.h"
 #include "text/error.h"
@@ -128,6 +129,31 @@ double dihedral(const Source& source, const Element& e, int) {
   const Vec3 a = area_vector(source, {ElementKind::facet, first.triangle().index, false});
   const Vec3 b = area_vector(source, {ElementKind::facet, second.triangle().index, !same_way});
   return film::angle_between(a, b);
+}
+
+// Half of how fast the area around a vertex grows with the volume under it: 1/r on a sphere whose normals
+// point outward. 0 where films meet or end.
+double mean_curvature(const Source& source, const Element& v, int) {
+  const film::Film& film = source.scene.film;
+  const film::Vertex vertex(v.row);
+  if (film::place_of(film, vertex).kind != film::PlaceKind::inside) return 0;
+  Vec3 growth;
+  Vec3 normal;
+  film.for_each_end(vertex, [&](film::EdgeEnd end) {
+    film.for_each_side(end.edge(), [&](Side s) {
+      const auto k = static_cast<std::size_t>(s.corner());
+      // Of a facet's two edges here, the one that runs away from the vertex counts.
+      if (film.corners(s.triangle())[k] != vertex) return;
+      const std::array<Vec3, 3> p = film.points(s.triangle());
+      const Vec3 q = p[(k + 1) % 3] - p[k];
+      const Vec3 r = p[(k + 2) % 3] - p[k];
+      const Vec3 area = cross(q, r) / 2;
+      growth += cross(unit(area), r - q) / 2;
+      // Facets of one film may be wound either way.
+      normal += (dot(area, normal) < 0 ? -1.0 / 3 : 1.0 / 3) * area;
+    });
+  });
+  return dot(normal, normal) > 0 ? dot(growth, normal) / (2 * dot(normal, normal)) : 0;
 }
 
 film::RegionPair regions(const Source& source, const Element& f) {
@@ -331,6 +357,8 @@ void add_vertex_rows(std::deque<AttributeRow>& rows) {
   AttributeRow speed = computed(kind, "velocity", "as evolve moves it", velocity, set_velocity);
   speed.shape = {3};
   rows.push_back(speed);
+  rows.push_back(
+      computed(kind, "mean_curvature", "mean curvature of the film, 1/r on a sphere", mean_curvature));
   rows.push_back(kept(kind, "fixed", "fixed", "whether it stays where it is"));
   rows.push_back(kept(kind, "bare", "bare", "whether it is meant to have no edges"));
 }

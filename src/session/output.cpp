@@ -49,6 +49,7 @@ Output::~Output() {
 }
 
 void Output::write(std::string_view text) {
+  ++position_;
   if (!targets_.empty()) {
     Target& target = targets_.back();
     if (target.program == nullptr) {

@@ -28,6 +28,9 @@ class Output {
   bool redirected() const { return !targets_.empty(); }
   // Whether the last character written to the standard output ended its line.
   bool at_line_start() const { return at_line_start_; }
+  // Another number whenever the terminal's cursor may have moved: something was written, or typed.
+  long position() const { return position_; }
+  void note_typing() { ++position_; }
 
   // Opens a target for what is written until the matching `end`. Throws text::Error where it cannot be
   // opened.
@@ -47,6 +50,7 @@ class Output {
 
   std::vector<Target> targets_;
   bool at_line_start_ = true;
+  long position_ = 0;
   std::chrono::steady_clock::time_point flushed_;
 };
 

@@ -127,19 +127,6 @@ picture::View chosen_view(Session& session, const PictureWords& words) {
   return view;
 }
 
-// The values of a formula for all elements of its kind, one a row; not a number for tombstones.
-std::vector<double> values_of(Session& session, const Field& field) {
-  const scene::Scene& scene = session.scene();
-  language::Evaluation& evaluation = session.evaluation();
-  std::vector<double> values(row_count(scene, field.kind), std::numeric_limits<double>::quiet_NaN());
-  for (std::uint32_t row = 0; row < values.size(); ++row) {
-    if (!is_alive(scene, field.kind, row)) continue;
-    evaluation.local(field.slot) = language::Element{field.kind, row, false};
-    values[row] = language::evaluate_number(*field.value, evaluation);
-  }
-  return values;
-}
-
 std::vector<double> edges_to_facets(const film::Film& film, const std::vector<double>& of_edges) {
   std::vector<double> result(film.triangle_rows(), std::numeric_limits<double>::quiet_NaN());
   for (std::uint32_t t = 0; t < film.triangle_rows(); ++t) {
@@ -230,6 +217,18 @@ std::vector<std::uint8_t> drawn_facets(const Session& session, const Elements& e
 }
 
 }  // namespace
+
+std::vector<double> values_of(Session& session, const Field& field) {
+  const scene::Scene& scene = session.scene();
+  language::Evaluation& evaluation = session.evaluation();
+  std::vector<double> values(row_count(scene, field.kind), std::numeric_limits<double>::quiet_NaN());
+  for (std::uint32_t row = 0; row < values.size(); ++row) {
+    if (!is_alive(scene, field.kind, row)) continue;
+    evaluation.local(field.slot) = language::Element{field.kind, row, false};
+    values[row] = language::evaluate_number(*field.value, evaluation);
+  }
+  return values;
+}
 
 picture::View present_view(const Session& session, const std::optional<picture::View>& set) {
   return set ? *set : picture::view_of(session.scene());

@@ -189,6 +189,7 @@ void run_prompt(Session& session) {
       session.write("\n");
       break;
     }
+    session.output().note_typing();
     history.add(*text);
     const Outcome outcome = session.run(text::make_source("<prompt>", without_question_mark(*text)));
     interrupt::clear();

@@ -109,7 +109,7 @@ scene::Monitor& Session::monitor() {
 }
 Session::Follower Session::follow_steps(Follower follower) {
   std::swap(state_->follower, follower);
-  state_->progress.follow(state_->follower ? [this] { state_->follower(state_->scene); }
+  state_->progress.follow(state_->follower ? [this] { state_->follower(state_->scene, false); }
                                            : std::function<void()>{});
   return follower;
 }
@@ -274,8 +274,10 @@ Outcome Session::run_statement(const language::Block& statement, const std::stri
     return fail(text::Error(fmt::format("internal fault: {}", error.what())));
   }
   state_->progress.restart();
+  const bool changed = differs(before, state_->scene) || state_->undo_request != 0;
   if (differs(before, state_->scene)) state_->history.push(std::move(before), label_of(text));
   apply_requested_undo();
+  if (changed && state_->follower && !state_->quit) state_->follower(state_->scene, true);
   if (state_->quit) return Outcome::quit;
   if (!interrupt::requested()) return Outcome::done;
   state_->output.flush();

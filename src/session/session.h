@@ -64,9 +64,10 @@ class Session {
 
   // --- long computations: asks to stop on Ctrl-C, draws the progress line
   scene::Monitor& monitor();
-  // From now on called after each step of a long computation, with the scene as it is then; an empty function
-  // ends that. Returns what was called before.
-  using Follower = std::function<void(const scene::Scene& scene)>;
+  // From now on called after each step of a long computation, with the scene as it is then, and once more
+  // when a statement has changed the scene and is done (`settled`); an empty function ends that. Returns what
+  // was called before.
+  using Follower = std::function<void(const scene::Scene& scene, bool settled)>;
   Follower follow_steps(Follower follower);
 
   // --- small things

@@ -72,6 +72,40 @@ TEST(Evolve, Refuses) {
   EXPECT_EQ(trial.number("total_time"), 0);
 }
 
+// --- ways to keep volumes, and methods
+
+TEST(Evolve, KeepsVolumesAtJunctionsInEveryWay) {
+  for (const char* way : {"auto", "lagged", "exact", "paper"}) {
+    Trial trial("double_bubble.fe");
+    trial.out(std::string("refine 2; relax; kick (0.1*x, 0.1*y, -0.2*z); evolve 60 volumes=") + way);
+    const double most = way == std::string("paper") ? 1e-4 : way == std::string("lagged") ? 1e-5 : 1e-10;
+    EXPECT_NEAR(trial.number("body[1].volume"), 1, most) << way;
+    EXPECT_NEAR(trial.number("body[2].volume"), 1, most) << way;
+  }
+}
+
+TEST(Evolve, ImplicitMethodsTakeLongSteps) {
+  for (const char* method : {"implicit", "midpoint"}) {
+    Trial trial("double_bubble.fe");
+    trial.out(std::string("refine 2; relax; kick (0.1*x, 0.1*y, -0.2*z); evolve 8 dt 0.3 method=") + method);
+    EXPECT_NEAR(trial.number("total_time"), 2.4, 1e-12);
+    EXPECT_NEAR(trial.number("body[1].volume"), 1, 1e-10) << method;
+  }
+}
+
+// Films without bodies have no volumes to keep, in any method.
+TEST(Evolve, EveryMethodMovesFilmsWithoutBodies) {
+  for (const char* method : {"euler", "verlet", "gradient", "implicit", "midpoint"}) {
+    for (const char* file : {"wire_cube.fe", "moving_rings.fe"}) {
+      Trial trial(file);
+      const double before = trial.number("total_energy");
+      trial.out(std::string("refine 2; evolve 20 dt 0.0002 method=") + method);
+      EXPECT_NEAR(trial.number("total_time"), 0.004, 1e-12) << method;
+      EXPECT_NEAR(trial.number("total_energy + kinetic_energy"), before, 0.05 * before) << method << file;
+    }
+  }
+}
+
 // --- wires that move
 
 TEST(Evolve, RingsThatArePulledApartCarryTheirVertices) {

@@ -182,6 +182,37 @@ TEST(Volumes, ThePaperCorrectionKeepsThemToItsOrder) {
   EXPECT_GT(motion.volume_error(), 1e-13);
 }
 
+// Beyond two hundred volumes systems are solved by iteration: as exact as asked.
+TEST(Volumes, ManyAreSolvedByIterationAsByFactors) {
+  const int rows = 400;
+  std::vector<energy::GramEntry> pattern;
+  std::vector<double> values;
+  for (int i = 0; i < rows; ++i) {
+    for (const int j : {i - 20, i - 1, i}) {
+      if (j < 0) continue;
+      pattern.push_back({i, j});
+      values.push_back(j == i ? 4.5 + 0.01 * i : -1);
+    }
+  }
+  std::vector<double> right(static_cast<std::size_t>(rows));
+  for (std::size_t i = 0; i < right.size(); ++i) right[i] = std::sin(static_cast<double>(i));
+  std::vector<double> exact(right.size());
+  std::vector<double> found(right.size());
+  solve::GramSolver factors(rows, pattern);
+  solve::GramSolver fastest(rows, pattern, solve::GramSolver::Kind::fastest);
+  ASSERT_TRUE(factors.factorise(values));
+  ASSERT_TRUE(fastest.factorise(values));
+  factors.solve(right, exact);
+  for (const double enough : {0.0, 1e-3, 1e-13}) {
+    fastest.solve(right, found, enough);
+    double worst = 0;
+    for (std::size_t i = 0; i < right.size(); ++i) worst = std::max(worst, std::abs(found[i] - exact[i]));
+    EXPECT_LT(worst, enough == 0 ? 1e-8 : 3 * enough);
+  }
+  values[0] = 0;
+  EXPECT_FALSE(fastest.factorise(std::vector<double>(values.size(), NAN)));
+}
+
 // A run in two parts, each from what the scene holds, is the run in one.
 TEST(Volumes, TheirMemoryTravelsWithTheScene) {
   Scene whole = swinging(2);

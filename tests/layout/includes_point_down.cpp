@@ -24,11 +24,12 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"evolution", {"air", "solve", "surgery", "energy", "scene", "film", "language", "text"}},
     {"datafile", {"scene", "film", "language", "text"}},
     {"picture", {"scene", "film", "language", "text"}},
+    {"exchange", {"datafile", "picture", "scene", "film", "language", "text"}},
     {"chart",
      {"air", "datafile", "evolution", "solve", "surgery", "energy", "scene", "film", "language", "text"}},
     {"session",
-     {"air", "chart", "datafile", "evolution", "picture", "solve", "surgery", "energy", "scene", "film",
-      "language", "text"}},
+     {"air", "chart", "exchange", "datafile", "evolution", "picture", "solve", "surgery", "energy", "scene",
+      "film", "language", "text"}},
 };
 
 // The folders named in the quoted includes of a file.

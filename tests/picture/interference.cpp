@@ -47,6 +47,10 @@ TEST(Interference, TheSequenceOfColours) {
   EXPECT_EQ(hue_of(600), "magenta");
   EXPECT_EQ(hue_of(690), "green");
   EXPECT_EQ(hue_of(790), "magenta");
+  // The fourth: bluish green and pale red.
+  EXPECT_EQ(hue_of(870), "green");
+  EXPECT_EQ(hue_of(910), "cyan");
+  EXPECT_EQ(hue_of(1000), "red");
 }
 
 TEST(Interference, ThickFilmsArePale) {

@@ -16,6 +16,15 @@ TEST(Attributes, OfVertices) {
   EXPECT_EQ(trial.out("vertex[2].fixed := 1; print vertex[2].fixed; print vertex[1].fixed"), "1\n0\n");
 }
 
+TEST(Attributes, MeanCurvature) {
+  Trial trial("cube.fe");
+  trial.out("refine 4; relax");
+  const double radius = std::cbrt(3 / (4 * 3.14159265358979));
+  EXPECT_NEAR(trial.number("avg(vertex, mean_curvature)"), 1 / radius, 0.01);
+  EXPECT_NEAR(trial.number("max(vertex, mean_curvature)"), 1 / radius, 0.1);
+  EXPECT_EQ(Trial("wire_cube.fe").number("vertex[1].mean_curvature"), 0);  // a corner of the wire
+}
+
 TEST(Attributes, OfEdges) {
   Trial trial("cube.fe");
   EXPECT_EQ(trial.number("edge[1].length"), 1);
