@@ -19,6 +19,7 @@ namespace {
 
 // In units of the mesh's size.
 constexpr double look_after = 0.05;  // the way of a vertex from look to look
+constexpr double look_after_tight = 0.01;
 constexpr double contact = 0.15;     // sheets nearer than this touch
 constexpr double list_margin = 0.5;  // of the list of near pairs
 constexpr double step_near = 0.05;   // the way in a step of sheets that are near one another
@@ -142,7 +143,7 @@ TopologyKeeper::TopologyKeeper() : proximity_(contact, list_margin) {}
 bool TopologyKeeper::is_due(std::span<const Vec3> positions) const {
   if (seen_.size() != positions.size()) return true;
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const double most = look_after * sizes_[v];
+    const double most = (tight_ ? look_after_tight : look_after) * sizes_[v];
     if (squared_length(positions[v] - seen_[v]) > most * most) return true;
   }
   return false;
@@ -156,6 +157,7 @@ bool TopologyKeeper::look(Scene& scene) {
   const std::vector<surgery::Contact> contacts =
       proximity_.empty() ? std::vector<surgery::Contact>{} : proximity_.contacts(film, film.positions());
   bool changed = false;
+  tight_ = false;
   if (!contacts.empty() || surgery::needs_look(film, options_)) {
     const Scene before = scene;
     changed = apply(scene, contacts);
@@ -178,6 +180,7 @@ bool TopologyKeeper::apply(Scene& scene, std::span<const surgery::Contact> conta
   const Balance before = balance(scene);
   double energy = potential(scene) + before.kinetic;
   surgery::TopologyReport report = surgery::keep_topology(scene, options_, contacts);
+  tight_ = !report.refused.empty();
   const double moving = balance(scene).kinetic;
   const bool slowed = slow_down(scene, report.refused);
   if (slowed) energy += balance(scene).kinetic - moving;

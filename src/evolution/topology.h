@@ -50,6 +50,7 @@ class TopologyKeeper {
 
   surgery::TopologyOptions options_;
   surgery::Proximity proximity_;
+  bool tight_ = false;  // sheets touch that cannot merge: looks are frequent then
   std::vector<Vec3> seen_;
   std::vector<double> sizes_;
   TopologyCounts counts_;
