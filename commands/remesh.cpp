@@ -43,6 +43,8 @@ void choose_sizes(film::Film& film, const RemeshOptions& options) {
 void run(Session& session, const RemeshOptions& options) {
   check_film(session, "to remesh");
   scene::Scene& scene = session.scene();
+  if (scene.film.periodic())
+    throw text::Error("a periodic film keeps its mesh", "refine, u and V work on it");
   surgery::RemeshOptions band;
   band.longest = 1.4;
   band.shortest = 0.7;

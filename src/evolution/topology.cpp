@@ -152,6 +152,7 @@ bool TopologyKeeper::is_due(std::span<const Vec3> positions) const {
 bool TopologyKeeper::look(Scene& scene) {
   ++counts_.looks;
   Film& film = scene.film;
+  if (film.periodic()) return false;
   if (!surgery::has_sizes(film)) surgery::keep_sizes(film);
   proximity_.update(film, film.positions());
   const std::vector<surgery::Contact> contacts =

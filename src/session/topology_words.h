@@ -12,9 +12,9 @@ namespace lamella::session {
 
 class Session;
 
-// Whether evolve changes the topology of films; it does until told otherwise.
+// Whether evolve changes the topology of films; it does when told.
 struct TopologySwitch {
-  bool on = true;
+  bool on = false;
 };
 
 // What runs when films change their topology, by the kind of event.

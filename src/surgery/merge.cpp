@@ -353,7 +353,7 @@ std::optional<Merge> Merger::run(Vertex seed, Triangle facet) {
 }  // namespace
 
 std::optional<Merge> merge(Scene& scene, const NearPair& pair, double size) {
-  if (!scene.film.alive(pair.vertex) || !scene.film.alive(pair.facet)) return {};
+  if (scene.film.periodic() || !scene.film.alive(pair.vertex) || !scene.film.alive(pair.facet)) return {};
   if (auto done = Merger(scene, size).run(pair.vertex, pair.facet)) return done;
   // With the roles swapped: from the corner of the facet nearest to the vertex.
   const Film& film = scene.film;

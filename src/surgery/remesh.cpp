@@ -222,6 +222,7 @@ void Remesher::even_out() {
 }  // namespace
 
 bool needs_remesh(const Film& film, std::span<const Vec3> positions, const RemeshOptions& options) {
+  if (film.periodic()) return false;
   if (!has_sizes(film)) return true;
   const auto sizes = film.columns(film::ElementKind::vertex).reals(size_column);
   for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
@@ -242,7 +243,7 @@ bool needs_remesh(const Film& film, std::span<const Vec3> positions, const Remes
 }
 
 RemeshReport remesh(Scene& scene, const RemeshOptions& options) {
-  return Remesher(scene, options).run();
+  return scene.film.periodic() ? RemeshReport{} : Remesher(scene, options).run();
 }
 
 }  // namespace lamella::surgery

@@ -37,7 +37,7 @@ class Zipper {
   Zipper(Scene& scene, Vertex v, double size) : scene_(scene), film_(scene.film), centre_(v), size_(size) {}
 
   std::optional<Zip> run() {
-    if (!film_.alive(centre_) || !is_free(scene_, centre_)) return {};
+    if (film_.periodic() || !film_.alive(centre_) || !is_free(scene_, centre_)) return {};
     link_ = link_of(film_, centre_);
     if (kind_of(link_) != LinkKind::triple || !pick()) return {};
     // Which fan stays makes a difference where one leans over: the other way is tried, too.

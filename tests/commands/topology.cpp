@@ -3,9 +3,9 @@
 namespace lamella::trial {
 namespace {
 
-TEST(Topology, IsOnUntilTurnedOff) {
+TEST(Topology, IsOffUntilTurnedOn) {
   Trial trial("cube.fe");
-  EXPECT_EQ(trial.out("topology"), "topology on\n");
+  EXPECT_EQ(trial.out("topology"), "topology off\n");
   EXPECT_EQ(trial.out("topology off; topology"), "topology off\n");
   EXPECT_EQ(trial.out("topology on; topology"), "topology on\n");
   EXPECT_TRUE(contains(trial.failure("topology on off"), "on, or off?"));
@@ -15,7 +15,7 @@ TEST(Topology, IsOnUntilTurnedOff) {
 TEST(Topology, ANeckPinches) {
   Trial trial("rings_apart.fe");
   const Folder folder;
-  trial.out("refine 3; relax; damping := 1; log events \"" + folder / "events.csv" + "\"");
+  trial.out("topology on; refine 3; relax; damping := 1; log events \"" + folder / "events.csv" + "\"");
   trial.out("evolve 350; check");
   EXPECT_TRUE(contains(file_content(folder / "events.csv"), ",pinch,"));
   EXPECT_EQ(trial.number("count(vertex where abs(z) < 0.1)"), 0);
@@ -25,7 +25,7 @@ TEST(Topology, ANeckPinches) {
 // Two bubbles fly toward each other, touch, and share a film.
 TEST(Topology, BubblesMerge) {
   Trial trial("two_bubbles.fe");
-  trial.out("throw; evolve 30; check");
+  trial.out("topology on; throw; evolve 30; check");
   EXPECT_GT(trial.number("count(facet where frontbody != 0 and backbody != 0)"), 20);
   trial.out("evolve 100; check");
   EXPECT_EQ(trial.number("body_count"), 2);
@@ -44,7 +44,7 @@ TEST(Topology, OffTheFilmKeepsItsMesh) {
 // A film at rest is not touched at all.
 TEST(Topology, AFilmAtRestIsLeftAlone) {
   Trial trial("double_bubble.fe");
-  trial.out("refine 3; relax");
+  trial.out("topology on; refine 3; relax");
   const auto before = trial.session().scene().film.connectivity_revision();
   trial.out("evolve 20; check");
   EXPECT_EQ(trial.session().scene().film.connectivity_revision(), before);
