@@ -18,11 +18,11 @@ scene() {
     text="$text; evolve 50; check"
     i=$((i + 1))
   done
-  text="$text; printf \"%d %.9f\\n\", facet_count, total_area"
+  text="$text; print facet_count; print total_area"
   /usr/bin/time -f '%U' -o "$work/time" "$program" -q "$folder/datafiles/$2" -e "$text" > "$work/out" 2> "$work/err"
   failed=$(grep -c 'error' "$work/err")
-  facets=$(tail -1 "$work/out" | cut -d' ' -f1)
-  area=$(tail -1 "$work/out" | cut -d' ' -f2)
+  facets=$(tail -2 "$work/out" | head -1)
+  area=$(tail -1 "$work/out")
   worst=$(tail -n +2 "$work/motion.csv" | cut -d, -f12 | sort -g | tail -1)
   row="$1,$4,$facets"
   for kind in pinch merge t1 vanish split birth pop; do

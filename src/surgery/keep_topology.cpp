@@ -77,7 +77,8 @@ void Keeper::close_wedges() {
   std::sort(narrow.begin(), narrow.end());
   for (const auto& [angle, edge] : narrow) {
     if (!film_.alive(edge)) continue;
-    for (const Vertex v : film_.ends(edge)) {
+    const std::array<Vertex, 2> ends = film_.ends(edge);  // a copy: zipping makes edges
+    for (const Vertex v : ends) {
       if (narrowest_wedge(film_, edge) >= options_.narrow_wedge) break;
       const auto done = zip(scene_, v, size_of(film_, v));
       if (!done) continue;
