@@ -3,6 +3,7 @@
 #include "evolution/hyperbolic.h"
 #include "session/motion_log.h"
 #include "session/session.h"
+#include "session/topology_words.h"
 
 namespace lamella::session::commands {
 
@@ -103,12 +104,14 @@ void run(Session& session, const EvolveOptions& options) {
   size.upkeep = !options.keep_mesh;
   size.method = value_of(methods, options.method);
   size.volumes = value_of(volume_modes, options.volumes);
+  size.topology = session.memory<TopologySwitch>().on && !options.keep_mesh;
   if (options.dt) check_step(scene, *options.dt, size.method);
   evolution::AfterStep note;
   if (MotionLog& log = session.memory<MotionLog>(); log.active())
     note = [&](const evolution::Motion& motion, long) { log.note(scene, motion); };
-  const evolution::EvolveReport report =
-      evolution::evolve(scene, options.steps, size, session.monitor(), note);
+  const evolution::EvolveReport report = evolution::evolve(
+      scene, options.steps, size, session.monitor(), note,
+      [&](scene::Scene&, std::span<const surgery::Event> events) { tell_events(session, events); });
   keep_times(session, report.times);
   const bool failed = report.ending != solve::Ending::step_limit && report.ending != solve::Ending::stopped &&
                       report.ending != solve::Ending::converged && report.ending != solve::Ending::collapsed;
@@ -123,6 +126,12 @@ void run(Session& session, const EvolveOptions& options) {
   }
   if (report.undone > 0) session.tell("taken back and made smaller: {}\n", counted(report.undone, "step"));
   if (report.upkeeps > 0) session.tell("mesh made fit: {}\n", counted(report.upkeeps, "time"));
+  const evolution::TopologyCounts& made = report.topology;
+  if (made.passes > 0) {
+    session.tell("mesh: {}, {}, {}; {} of topology\n", counted(made.splits, "edge") + " divided",
+                 counted(made.collapses, "collapse"), counted(made.flips, "flip"),
+                 counted(made.events, "change"));
+  }
   session.tell("time {:.6g}: energy {:.12g}, kinetic {:.6g}, {} of {:.3g} to {:.3g}\n", scene.time,
                report.energy, report.kinetic, counted(report.substeps, "step"), report.smallest_dt,
                report.largest_dt);

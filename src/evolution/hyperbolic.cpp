@@ -19,6 +19,8 @@ constexpr int most_halvings = 12;
 constexpr double at_target = 1e-7;
 // A fixed step is made in substeps of at most this part of the bound.
 constexpr double substep_fraction = 0.8;
+// Sheets that come near one another shorten steps to no less than this part.
+constexpr double least_part = 0.02;
 // The mesh is made fit when its fitness has fallen to this part of the best, and not again within this many
 // steps.
 constexpr double choked = 0.4;
@@ -54,12 +56,14 @@ void add(StepTimes& sum, const StepTimes& times) {
 // Makes steps one after the other and keeps account of them.
 class Walk {
  public:
-  Walk(scene::Scene& scene, const StepSize& size, scene::Monitor& monitor, const AfterStep& after_step)
+  Walk(scene::Scene& scene, const StepSize& size, scene::Monitor& monitor, const AfterStep& after_step,
+       const OnEvents& on_events)
       : scene_(scene),
         motion_(std::make_unique<Motion>(scene, size.method, size.volumes)),
         size_(size),
         monitor_(monitor),
-        after_step_(after_step) {}
+        after_step_(after_step),
+        on_events_(on_events) {}
 
   EvolveReport run(long steps);
 
@@ -68,12 +72,15 @@ class Walk {
   void keep_mesh();
   void renew_motion();
   double free_step() const;
+  void keep_topology();
 
   scene::Scene& scene_;
   std::unique_ptr<Motion> motion_;
   const StepSize& size_;
   scene::Monitor& monitor_;
   const AfterStep& after_step_;
+  const OnEvents& on_events_;
+  TopologyKeeper topology_;
   EvolveReport report_;
 };
 
@@ -86,7 +93,12 @@ Ending Walk::advance(double dt, long steps) {
     if (monitor_.watched()) motion_->store();
     monitor_.progress(report_.steps, steps, motion_->energy());
     if (monitor_.stop_requested()) return Ending::stopped;
-    const double pieces = std::ceil(left / (fraction * motion_->largest_step()) * (1 - 1e-12));
+    double most = fraction * motion_->largest_step();
+    if (size_.topology) {
+      const double near = topology_.longest_step(scene_, motion_->positions(), motion_->speeds());
+      most = std::min(most, std::max(near, least_part * most));
+    }
+    const double pieces = std::ceil(left / most * (1 - 1e-12));
     const double piece = std::ldexp(left / std::max(1.0, pieces), -halvings);
     const Ending ending = motion_->step(piece);
     if (ending != Ending::step_limit) {
@@ -98,6 +110,7 @@ Ending Walk::advance(double dt, long steps) {
     left -= piece;
     ++report_.substeps;
     keep_mesh();
+    keep_topology();
     if (size_.upkeep && motion_->fitness() < lost * scene_.mesh_fitness) return Ending::collapsed;
     report_.smallest_dt = report_.smallest_dt == 0 ? piece : std::min(report_.smallest_dt, piece);
     report_.largest_dt = std::max(report_.largest_dt, piece);
@@ -140,7 +153,22 @@ void Walk::keep_mesh() {
   watch.lap(report_.times.surgery);
 }
 
+// Events are told while no motion stands on the scene, as whoever hears of them may change it.
+void Walk::keep_topology() {
+  if (!size_.topology || !topology_.is_due(motion_->positions())) return;
+  Stopwatch watch;
+  motion_->store();
+  if (topology_.look(scene_)) {
+    const std::vector<surgery::Event> events = topology_.take_events();
+    if (on_events_ && !events.empty()) on_events_(scene_, events);
+    renew_motion();
+    scene_.mesh_fitness = motion_->fitness();
+  }
+  watch.lap(report_.times.surgery);
+}
+
 EvolveReport Walk::run(long steps) {
+  keep_topology();
   while (report_.steps < steps && report_.ending == Ending::step_limit) {
     if (!std::isfinite(motion_->bound()) && !size_.fixed) {
       report_.ending = Ending::converged;  // nothing in the scene can move
@@ -154,16 +182,18 @@ EvolveReport Walk::run(long steps) {
   report_.kinetic = motion_->kinetic();
   report_.volume_error = motion_->volume_error();
   add(report_.times, motion_->times());
+  report_.topology = topology_.counts();
   return report_;
 }
 
 }  // namespace
 
 EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor,
-                    const AfterStep& after_step) {
+                    const AfterStep& after_step, const OnEvents& on_events) {
   EvolveReport report;
   report.ending = start_at_targets(scene);
-  return report.ending == Ending::converged ? Walk(scene, size, monitor, after_step).run(steps) : report;
+  return report.ending == Ending::converged ? Walk(scene, size, monitor, after_step, on_events).run(steps)
+                                            : report;
 }
 
 double stability_bound(const scene::Scene& scene, Method method) {

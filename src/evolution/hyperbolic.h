@@ -22,6 +22,7 @@
 
 #include "energy/film_energy.h"
 #include "evolution/motion.h"
+#include "evolution/topology.h"
 #include "scene/monitor.h"
 #include "scene/scene.h"
 #include "solve/gram_solver.h"
@@ -36,7 +37,8 @@ struct StepSize {
   double fraction = 0.5;        // of the stability bound, where not fixed; ten times as much if implicit
   Method method = Method::euler;
   VolumeMode volumes = VolumeMode::automatic;
-  bool upkeep = true;  // keep the mesh fit where it would choke the steps
+  bool upkeep = true;     // keep the mesh fit where it would choke the steps
+  bool topology = false;  // keep edges within their band, and let films merge, pinch and swap neighbours
 };
 
 struct EvolveReport {
@@ -52,6 +54,7 @@ struct EvolveReport {
   double kinetic = 0;
   double volume_error = 0;  // largest relative error at the end
   StepTimes times;
+  TopologyCounts topology;
 };
 
 // Moves the film by `steps` steps. Positions, the vertex columns "velocity" and "mass", the time and the
@@ -61,8 +64,10 @@ struct EvolveReport {
 // `after_step`, where given, is called after each of the steps with the motion, whose scene has the step's
 // time.
 using AfterStep = std::function<void(const Motion& motion, long step)>;
+// `on_events`, where given, is called when films have changed their topology, and may change the scene.
+using OnEvents = std::function<void(scene::Scene& scene, std::span<const surgery::Event> events)>;
 EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor,
-                    const AfterStep& after_step = {});
+                    const AfterStep& after_step = {}, const OnEvents& on_events = {});
 
 // The largest step for which linear theory promises stability at the scene's present shape: 2/sqrt(max
 // s_v/m_v), with s_v the stiffness sum of the vertex (energy/sweep.h).

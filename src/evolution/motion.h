@@ -81,6 +81,8 @@ class Motion {
   // Copies positions, velocities and masses to the scene.
   void store();
 
+  std::span<const Vec3> positions() const { return x_; }
+  std::span<const Vec3> speeds() const { return v_; }
   double energy() const { return energy_; }
   double kinetic() const { return kinetic_; }
   double volume_error() const;

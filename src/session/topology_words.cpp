@@ -1,8 +1,11 @@
 #include "session/topology_words.h"
 
+#include <cstdio>
+
 #include "session/mesh_commands.h"
 #include "session/session.h"
 #include "surgery/regions.h"
+#include "text/whole_file.h"
 
 namespace lamella::session {
 
@@ -25,10 +28,42 @@ std::string describe(const surgery::Event& event) {
   return bodies.empty() ? line : line + ", bodies" + bodies;
 }
 
+void EventLog::begin(std::string path) {
+  text::write_whole_file(path, "time,event,x,y,z,bodies\n");
+  path_ = std::move(path);
+}
+
+void EventLog::note(double time, const surgery::Event& event) const {
+  std::string bodies;
+  for (const film::Region r : event.regions) {
+    if (!r.outside()) bodies += fmt::format("{}{}", bodies.empty() ? "" : " ", r.index);
+  }
+  const std::string row = fmt::format("{},{},{},{},{},{}\n", time, name_of(event.kind), event.place.x,
+                                      event.place.y, event.place.z, bodies);
+  std::FILE* const file = std::fopen(path_.c_str(), "a");
+  const bool written = file != nullptr && std::fwrite(row.data(), 1, row.size(), file) == row.size();
+  if (file != nullptr && std::fclose(file) == 0 && written) return;
+  throw text::Error(fmt::format("cannot write \"{}\"", path_));
+}
+
+void tell_events(Session& session, std::span<const surgery::Event> events) {
+  const EventLog& log = session.memory<EventLog>();
+  const double time = session.scene().time;
+  for (const surgery::Event& event : events) {
+    session.tell("time {:.6g}: {}\n", time, describe(event));
+    if (log.active()) log.note(time, event);
+  }
+  for (const surgery::Event& event : events) {
+    const auto& hooks = session.memory<EventHooks>().commands;
+    const auto hook = hooks.find(std::string(name_of(event.kind)));
+    if (hook != hooks.end()) session.run_within(*hook->second);
+  }
+}
+
 void finish_topology(Session& session, std::vector<surgery::Event> events) {
   surgery::settle_regions(session.scene(), events, {});
   finish_surgery(session);
-  for (const surgery::Event& event : events) session.tell("{}\n", describe(event));
+  tell_events(session, events);
 }
 
 }  // namespace lamella::session

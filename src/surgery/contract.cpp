@@ -74,7 +74,7 @@ class Contractor {
 };
 
 bool Contractor::pick() {
-  if (cluster_.empty() || cluster_.size() > most_cluster) return false;
+  if (film_.periodic() || cluster_.empty() || cluster_.size() > most_cluster) return false;
   for (const Vertex v : cluster_) {
     if (!film_.alive(v) || !is_free(scene_, v)) return false;
     centre_ += film_.position(v) / static_cast<double>(cluster_.size());

@@ -28,7 +28,8 @@ struct Contraction {
 };
 
 // Nothing where no rearrangement is better, or the best cannot be made. The film is then as it was, to the
-// bit. A cluster with a vertex that is held (fixed, on a constraint or boundary) is left alone.
+// bit. A cluster with a vertex that is held (fixed, on a constraint or boundary) is left alone, and so is
+// every one of a periodic film.
 std::optional<Contraction> contract(scene::Scene& scene, std::span<const film::Vertex> cluster,
                                     const ContractOptions& options);
 

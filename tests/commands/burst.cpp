@@ -8,7 +8,7 @@ TEST(Burst, AFilmBetweenBubbles) {
   Trial trial("double_bubble.fe");
   trial.session().set_quiet(false);
   trial.out("refine 2");
-  EXPECT_TRUE(contains(trial.out("burst facet[1]"), "burst at (0, 0, 0), bodies 1 2\n"));
+  EXPECT_TRUE(contains(trial.out("burst facet[1]"), "time 0: burst at (0, 0, 0), bodies 1 2\n"));
   EXPECT_EQ(trial.number("burst_count"), 1);
   EXPECT_EQ(trial.number("body_count"), 1);
   EXPECT_NEAR(trial.number("body[1].target"), 2, 1e-12);

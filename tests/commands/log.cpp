@@ -34,5 +34,16 @@ TEST(Log, Refuses) {
   EXPECT_TRUE(contains(trial.failure("log a.csv every 0"), "at least 1"));
 }
 
+TEST(Log, EventsHaveATableOfTheirOwn) {
+  const Folder folder;
+  Trial trial("double_bubble.fe");
+  trial.out("log events \"" + folder / "events.csv" + "\"; burst facet[1]; log events off; burst body[1]");
+  const std::string table = file_content(folder / "events.csv");
+  EXPECT_EQ(table.substr(0, table.find('\n')), "time,event,x,y,z,bodies");
+  EXPECT_TRUE(contains(table, "0,burst,"));
+  EXPECT_TRUE(contains(table, ",1 2\n"));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2);
+}
+
 }  // namespace
 }  // namespace lamella::trial

@@ -1,0 +1,267 @@
+#include "evolution/topology.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evolution/masses.h"
+#include "scene/constraint_sets.h"
+#include "solve/problem.h"
+#include "surgery/sizing.h"
+
+namespace lamella::evolution {
+
+using film::ElementKind;
+using film::Film;
+using film::Vertex;
+using scene::Scene;
+
+namespace {
+
+// In units of the mesh's size.
+constexpr double look_after = 0.05;  // the way of a vertex from look to look
+constexpr double look_after_tight = 0.01;
+constexpr double contact = 0.15;     // sheets nearer than this touch
+constexpr double list_margin = 0.5;  // of the list of near pairs
+constexpr double step_near = 0.05;   // the way in a step of sheets that are near one another
+constexpr double hard_gap = 0.08;    // sheets that touch and cannot merge come no nearer
+// The velocities around a change of the mesh are scaled by no more than this, to keep the energy.
+constexpr double least_factor = 0.9;
+constexpr double most_factor = 1.1;
+
+film::Reals& reals(Film& film, const char* name) {
+  return std::get<film::Reals>(film.columns(ElementKind::vertex).edit(name)->data);
+}
+
+bool restore_volumes(Scene& scene) {
+  scene::constrain_vertices(scene);
+  if (!scene.has_fixed_volume() || scene.film.triangle_count() == 0) return true;
+  solve::Problem problem(scene);
+  bool ok = false;
+  double energy = problem.linearise(scene.film.positions(), ok);
+  ok = ok && problem.restore_volumes(scene.film.edit_positions(), energy) == solve::Ending::converged;
+  if (ok) problem.publish(scene);
+  return ok;
+}
+
+// Flags, by the rows of the film after compaction, for vertices named by rows before.
+std::vector<std::uint8_t> compact_with_flags(Film& film, std::span<const Vertex> touched) {
+  std::vector<std::uint8_t> before(film.vertex_rows());
+  for (const Vertex v : touched) before[v.index] = 1;
+  std::vector<std::uint8_t> after;
+  for (std::uint32_t v = 0; v < film.vertex_rows(); ++v) {
+    if (film.alive(Vertex(v))) after.push_back(before[v]);
+  }
+  film.compact();
+  return after;
+}
+
+// Masses and velocities of the vertices that surgery has touched.
+class Touched {
+ public:
+  Touched(Scene& scene, std::vector<std::uint8_t> flags) : scene_(scene), flags_(std::move(flags)) {
+    const auto fixed = scene.film.columns(ElementKind::vertex).flags("fixed");
+    free_.assign(flags_.size(), 1);
+    for (std::size_t v = 0; v < fixed.size(); ++v) free_[v] = fixed[v] == 0 ? 1 : 0;
+    masses_ = reals(scene.film, "mass");
+    velocities_ = velocities(scene.film);
+  }
+
+  // What mass the touched vertices have, and what was lost with others, spread by area.
+  void spread_mass(double total) {
+    energy::FilmEnergy terms(scene_);
+    terms.gradient(scene_.film.positions());
+    double elsewhere = 0;
+    double area = 0;
+    for (std::size_t v = 0; v < flags_.size(); ++v) {
+      if (flags_[v] != 0)
+        area += terms.lines()[v].area;
+      else
+        elsewhere += masses_[v];
+    }
+    if (area <= 0) return;
+    for (std::size_t v = 0; v < flags_.size(); ++v) {
+      if (flags_[v] != 0) masses_[v] = terms.lines()[v].area * std::max(0.0, total - elsewhere) / area;
+    }
+  }
+
+  void restore_momentum(const Vec3& wanted) {
+    const Balance now = balance();
+    double mass = 0;
+    for (std::size_t v = 0; v < flags_.size(); ++v) mass += counts(v) ? masses_[v] : 0;
+    if (mass <= 0) return;
+    const Vec3 shift = (wanted - now.momentum) / mass;
+    for (std::size_t v = 0; v < flags_.size(); ++v) {
+      if (counts(v)) velocities_[v] += shift;
+    }
+  }
+
+  // Scales what the velocities differ by from their mean, so that this kinetic energy is added.
+  void add_kinetic(double energy) {
+    Vec3 mean;
+    double mass = 0;
+    for (std::size_t v = 0; v < flags_.size(); ++v) {
+      if (!counts(v)) continue;
+      mean += masses_[v] * velocities_[v];
+      mass += masses_[v];
+    }
+    if (mass <= 0) return;
+    mean = mean / mass;
+    double moving = 0;
+    for (std::size_t v = 0; v < flags_.size(); ++v) {
+      if (counts(v)) moving += 0.5 * masses_[v] * squared_length(velocities_[v] - mean);
+    }
+    if (moving <= 0) return;
+    const double factor =
+        std::clamp(std::sqrt(std::max(0.0, 1 + energy / moving)), least_factor, most_factor);
+    for (std::size_t v = 0; v < flags_.size(); ++v) {
+      if (counts(v)) velocities_[v] = mean + factor * (velocities_[v] - mean);
+    }
+  }
+
+  Balance balance() const { return evolution::balance(scene_.film.positions(), velocities_, masses_); }
+  void store() { store_motion(scene_.film, masses_, velocities_); }
+
+ private:
+  bool counts(std::size_t v) const { return flags_[v] != 0 && free_[v] != 0; }
+
+  Scene& scene_;
+  std::vector<std::uint8_t> flags_;
+  std::vector<std::uint8_t> free_;
+  std::vector<double> masses_;
+  std::vector<Vec3> velocities_;
+};
+
+double potential(const Scene& scene) {
+  energy::FilmEnergy terms(scene);
+  return terms.value(scene.film.positions());
+}
+
+}  // namespace
+
+TopologyKeeper::TopologyKeeper() : proximity_(contact, list_margin) {}
+
+bool TopologyKeeper::is_due(std::span<const Vec3> positions) const {
+  if (seen_.size() != positions.size()) return true;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const double most = (tight_ ? look_after_tight : look_after) * sizes_[v];
+    if (squared_length(positions[v] - seen_[v]) > most * most) return true;
+  }
+  return false;
+}
+
+bool TopologyKeeper::look(Scene& scene) {
+  ++counts_.looks;
+  Film& film = scene.film;
+  if (film.periodic()) return false;
+  if (!surgery::has_sizes(film)) surgery::keep_sizes(film);
+  proximity_.update(film, film.positions());
+  const std::vector<surgery::Contact> contacts =
+      proximity_.empty() ? std::vector<surgery::Contact>{} : proximity_.contacts(film, film.positions());
+  bool changed = false;
+  tight_ = false;
+  if (!contacts.empty() || surgery::needs_look(film, options_)) {
+    const Scene before = scene;
+    changed = apply(scene, contacts);
+    if (!changed) scene = before;
+  }
+  seen_.assign(film.positions().begin(), film.positions().end());
+  sizes_.resize(seen_.size());
+  for (std::uint32_t v = 0; v < sizes_.size(); ++v) sizes_[v] = surgery::size_of(film, Vertex(v));
+  return changed;
+}
+
+// Surgery, and then everything that it leaves to be put right. False if nothing was done, or it is to be
+// thrown away.
+bool TopologyKeeper::apply(Scene& scene, std::span<const surgery::Contact> contacts) {
+  Film& film = scene.film;
+  film::Columns& columns = film.columns(ElementKind::vertex);
+  if (film::Column* mass = columns.edit("mass")) mass->inheritance.on_merge = film::Inheritance::Merge::sum;
+  if (film::Column* velocity = columns.edit("velocity"))
+    velocity->inheritance.on_merge = film::Inheritance::Merge::mean;
+  const Balance before = balance(scene);
+  double energy = potential(scene) + before.kinetic;
+  surgery::TopologyReport report = surgery::keep_topology(scene, options_, contacts);
+  tight_ = !report.refused.empty();
+  const double moving = balance(scene).kinetic;
+  const bool slowed = slow_down(scene, report.refused);
+  if (slowed) energy += balance(scene).kinetic - moving;
+  if (!report.changed()) return slowed;
+  Touched touched(scene, compact_with_flags(film, report.touched));
+  if (!restore_volumes(scene)) {
+    ++counts_.refused;
+    return false;
+  }
+  touched.spread_mass(before.mass);
+  touched.restore_momentum(before.momentum);
+  if (report.events.empty() && report.zips == 0)
+    touched.add_kinetic(energy - potential(scene) - touched.balance().kinetic);
+  touched.store();
+  ++counts_.passes;
+  counts_.splits += report.mesh.splits;
+  counts_.collapses += report.mesh.collapses;
+  counts_.flips += report.mesh.flips;
+  counts_.events += static_cast<long>(report.events.size());
+  events_.insert(events_.end(), report.events.begin(), report.events.end());
+  return true;
+}
+
+// Sheets that touch and cannot merge lose the speed with which they approach, like bodies that collide
+// without bouncing.
+bool TopologyKeeper::slow_down(Scene& scene, std::span<const surgery::Contact> contacts) {
+  bool slowed = false;
+  Film& film = scene.film;
+  for (const surgery::Contact& contact : contacts) {
+    const auto& [vertex, facet] = contact.pair;
+    if (!film.alive(vertex) || !film.alive(facet)) continue;
+    // Surgery may have moved them since, or made them neighbours.
+    const auto& corners = film.corners(facet);
+    if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) continue;
+    const Vec3 gap =
+        surgery::nearest_point(film.points(facet), film.position(vertex)) - film.position(vertex);
+    const double distance = length(gap);
+    const bool is_far = distance > hard_gap * surgery::size_of(film, vertex);
+    if ((is_far && !contact.wedge) || distance <= 0) continue;
+    film::Reals& v = reals(film, "velocity");
+    const film::Reals& m = reals(film, "mass");
+    const auto fixed = film.columns(ElementKind::vertex).flags("fixed");
+    const auto at = [&](Vertex w) { return Vec3{v[3 * w.index], v[3 * w.index + 1], v[3 * w.index + 2]}; };
+    const Vec3 way = gap / distance;
+    // One impulse along the way between vertex and facet; what is fixed, or has no mass, does not move.
+    const auto ease = [&](Vertex w) {
+      const bool stays = m[w.index] <= 0 || (!fixed.empty() && fixed[w.index] != 0);
+      return stays ? 0 : 1 / m[w.index];
+    };
+    Vec3 other;
+    double inverse = ease(vertex);
+    for (const Vertex w : film.corners(facet)) {
+      other += at(w) / 3;
+      inverse += ease(w) / 9;
+    }
+    const double approach = dot(at(vertex) - other, way);
+    if (approach <= 0 || inverse <= 0) continue;
+    const auto push = [&](Vertex w, double speed) {
+      for (int axis = 0; axis < 3; ++axis)
+        v[3 * w.index + static_cast<std::size_t>(axis)] += speed * way[axis];
+    };
+    const double impulse = approach / inverse;
+    push(vertex, -impulse * ease(vertex));
+    for (const Vertex w : film.corners(facet)) push(w, impulse * ease(w) / 3);
+    slowed = true;
+  }
+  return slowed;
+}
+
+double TopologyKeeper::longest_step(const Scene& scene, std::span<const Vec3> positions,
+                                    std::span<const Vec3> velocities) const {
+  double longest = HUGE_VAL;
+  if (!proximity_.belongs_to(scene.film) || sizes_.size() != positions.size()) return longest;
+  for (const surgery::NearPair& pair : proximity_.pairs()) {
+    for (const Vertex corner : scene.film.corners(pair.facet)) {
+      const double speed = length(velocities[pair.vertex.index] - velocities[corner.index]);
+      if (speed > 0) longest = std::min(longest, step_near * sizes_[pair.vertex.index] / speed);
+    }
+  }
+  return longest;
+}
+
+}  // namespace lamella::evolution

@@ -1,0 +1,60 @@
+// Surgery on a film in motion: when to look, and what becomes of volumes, masses and velocities.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "evolution/balance.h"
+#include "scene/scene.h"
+#include "surgery/keep_topology.h"
+#include "surgery/proximity.h"
+
+namespace lamella::evolution {
+
+struct TopologyCounts {
+  long passes = 0;  // that changed something
+  long looks = 0;
+  long splits = 0;
+  long collapses = 0;
+  long flips = 0;
+  long events = 0;
+  long refused = 0;  // passes thrown away: volumes could not be restored
+};
+
+// What a motion keeps from step to step to know when something may have come together. A film that has moved
+// by less than a twentieth of its mesh's size since the last look is not looked at; one that lies within the
+// band, with its sheets apart, is not touched.
+class TopologyKeeper {
+ public:
+  TopologyKeeper();
+
+  // Whether the film has moved so far since the last look that it is time for one.
+  bool is_due(std::span<const Vec3> positions) const;
+  // A look at a compact film with the vertex columns "velocity" and "mass". Makes what is due: the mesh, the
+  // topology, the regions; volumes are restored by positions alone, total mass and (where no vertex is
+  // fixed) momentum stay exactly; energy lost or won by the mesh is given back to the velocities around.
+  // Returns whether the film changed; it is compact again.
+  bool look(scene::Scene& scene);
+
+  // The longest step that moves sheets that are near one another by no more than a part of the gap allowed.
+  double longest_step(const scene::Scene& scene, std::span<const Vec3> positions,
+                      std::span<const Vec3> velocities) const;
+
+  const TopologyCounts& counts() const { return counts_; }
+  // Events since the last call.
+  std::vector<surgery::Event> take_events() { return std::move(events_); }
+
+ private:
+  bool apply(scene::Scene& scene, std::span<const surgery::Contact> contacts);
+  bool slow_down(scene::Scene& scene, std::span<const surgery::Contact> contacts);
+
+  surgery::TopologyOptions options_;
+  surgery::Proximity proximity_;
+  bool tight_ = false;  // sheets touch that cannot merge: looks are frequent then
+  std::vector<Vec3> seen_;
+  std::vector<double> sizes_;
+  TopologyCounts counts_;
+  std::vector<surgery::Event> events_;
+};
+
+}  // namespace lamella::evolution

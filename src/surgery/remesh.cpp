@@ -1,0 +1,249 @@
+#include "surgery/remesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/constraint_sets.h"
+#include "surgery/equiangulate.h"
+#include "surgery/feature.h"
+#include "surgery/flip.h"
+#include "surgery/patch.h"
+#include "surgery/shrink.h"
+#include "surgery/sizing.h"
+#include "surgery/smooth.h"
+#include "surgery/split_edge.h"
+#include "surgery/wedge.h"
+
+namespace lamella::surgery {
+
+using film::Edge;
+using film::EdgeEnd;
+using film::Film;
+using film::Side;
+using film::SignedEdge;
+using film::Triangle;
+using film::Vec3;
+using film::Vertex;
+using scene::Scene;
+
+namespace {
+
+// Edges of a facet that shrinks to a line may be this long and still collapse.
+constexpr double needle = 0.9;
+// A cluster is stuck when its edges are shorter than this; in units of the size.
+constexpr double coming_together = 0.75;
+constexpr double border_coming_together = 0.35;
+constexpr int flip_passes = 3;
+// Where films at a border are nearer than this (radians), vertices stay on their facets.
+constexpr double tight_wedge = 40 * M_PI / 180;
+constexpr double room_to_grow = 0.9;  // of the longest edge, for one that a collapse makes
+
+double edge_length(const Film& film, Edge e) {
+  return length(film.vector(SignedEdge(e, false)));
+}
+
+double relative_length(const Film& film, Edge e) {
+  return edge_length(film, e) / size_of(film, e);
+}
+
+std::vector<Triangle> facets_around(const Film& film, Edge e) {
+  std::vector<Triangle> facets;
+  film.for_each_side(e, [&](Side s) { facets.push_back(s.triangle()); });
+  return facets;
+}
+
+double relative_altitude(const std::array<Vec3, 3>& p) {
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, squared_length(p[(k + 1) % 3] - p[k]));
+  return longest > 0 ? length(cross(p[1] - p[0], p[2] - p[0])) / longest : 0;
+}
+
+class Remesher {
+ public:
+  Remesher(Scene& scene, const RemeshOptions& options)
+      : scene_(scene), film_(scene.film), options_(options) {}
+
+  RemeshReport run() {
+    keep_sizes(film_);
+    for (int round = 0; round < options_.rounds; ++round) {
+      const long before = report_.operations();
+      report_.stuck.clear();
+      divide_long();
+      collapse_short();
+      mend_slivers();
+      flip();
+      if (report_.operations() == before) break;
+      even_out();
+    }
+    return std::move(report_);
+  }
+
+ private:
+  struct Ranked {
+    double rank = 0;
+    Edge edge;
+  };
+  template <class Wanted>
+  std::vector<Ranked> edges_where(Wanted wanted) const;
+  void touch(Vertex v) { report_.touched.push_back(v); }
+  void divide_long();
+  void collapse_short();
+  bool collapse(Edge e);
+  void mend_slivers();
+  void flip();
+  bool flip_edge(Edge e, double slack);
+  void even_out();
+
+  Scene& scene_;
+  Film& film_;
+  RemeshOptions options_;
+  RemeshReport report_;
+};
+
+template <class Wanted>
+std::vector<Remesher::Ranked> Remesher::edges_where(Wanted wanted) const {
+  std::vector<Ranked> list;
+  for (std::uint32_t i = 0; i < film_.edge_rows(); ++i) {
+    if (!film_.alive(Edge(i))) continue;
+    const double relative = relative_length(film_, Edge(i));
+    if (wanted(relative)) list.push_back({relative, Edge(i)});
+  }
+  return list;
+}
+
+void Remesher::divide_long() {
+  std::vector<Ranked> list = edges_where([&](double relative) { return relative > options_.longest; });
+  std::sort(list.begin(), list.end(), [](const Ranked& a, const Ranked& b) { return a.rank > b.rank; });
+  const std::uint32_t first_made = film_.vertex_rows();
+  for (const Ranked& each : list) {
+    const Edge e = each.edge;
+    if (is_fixed(film_, film::ElementKind::edge, e.index) && !film_.first_side(e).valid()) continue;
+    const std::vector<Triangle> around = facets_around(film_, e);
+    const bool tight = has_narrow_wedge(film_, around, tight_wedge);
+    const Vertex made = tight ? split_edge(film_, e) : split_edge(film_, e, smooth_middle(scene_, e));
+    ++report_.splits;
+    touch(made);
+    film_.for_each_end(made, [&](EdgeEnd end) { touch(film_.head(end.outward())); });
+  }
+  const bool curves = !scene_.boundaries.empty() || !scene_.level_sets.empty();
+  if (curves && film_.vertex_rows() > first_made) scene::settle_vertices(scene_, first_made);
+}
+
+bool Remesher::collapse(Edge e) {
+  const double size = size_of(film_, e);
+  const Shrink shrink = shrink_edge(scene_, e, room_to_grow * options_.longest * size);
+  if (shrink.outcome == ShrinkOutcome::topology) {
+    const double most = shrink.cluster.size() == 2 ? border_coming_together : coming_together;
+    const Vec3 at = film_.position(shrink.cluster[0]);
+    const bool near = std::all_of(shrink.cluster.begin(), shrink.cluster.end(),
+                                  [&](Vertex v) { return length(film_.position(v) - at) < most * size; });
+    if (near) report_.stuck.push_back(shrink.cluster);
+  }
+  if (shrink.outcome != ShrinkOutcome::done) return false;
+  ++report_.collapses;
+  touch(shrink.kept);
+  film_.for_each_end(shrink.kept, [&](EdgeEnd end) { touch(film_.head(end.outward())); });
+  return true;
+}
+
+void Remesher::collapse_short() {
+  std::vector<Ranked> list = edges_where([&](double relative) { return relative < options_.shortest; });
+  std::sort(list.begin(), list.end(), [](const Ranked& a, const Ranked& b) { return a.rank < b.rank; });
+  for (const Ranked& each : list) {
+    if (film_.alive(each.edge) && relative_length(film_, each.edge) < options_.shortest) collapse(each.edge);
+  }
+}
+
+// A flat triangle is flipped over its longest side, or its shortest collapses.
+void Remesher::mend_slivers() {
+  const std::uint32_t rows = film_.triangle_rows();
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    const Triangle t(i);
+    if (!film_.alive(t) || relative_altitude(film_.points(t)) > options_.sliver) continue;
+    std::array<Edge, 3> sides;
+    for (std::size_t k = 0; k < 3; ++k) sides[k] = film_.edges(t)[k].edge();
+    std::sort(sides.begin(), sides.end(),
+              [&](Edge a, Edge b) { return edge_length(film_, a) < edge_length(film_, b); });
+    if (flip_edge(sides[2], 0)) continue;
+    if (relative_length(film_, sides[0]) < needle) collapse(sides[0]);
+  }
+}
+
+// True if the angles opposite to the edge sum to more than a half turn plus the slack.
+bool exceeds(const Film& film, const Diagonal& d, double slack) {
+  const auto angle = [&](Vertex at) {
+    return angle_between(film.position(d.p) - film.position(at), film.position(d.q) - film.position(at));
+  };
+  return angle(d.r) + angle(d.w) > M_PI + slack;
+}
+
+bool Remesher::flip_edge(Edge e, double slack) {
+  const std::optional<Diagonal> diagonal = flippable(film_, e);
+  if (!diagonal || is_line(scene_, e) || !exceeds(film_, *diagonal, slack + 1e-9)) return false;
+  if (!flip_is_flat(film_, *diagonal)) return false;
+  if (length(film_.position(diagonal->r) - film_.position(diagonal->w)) >
+      options_.longest * size_of(film_, e))
+    return false;
+  if (has_narrow_wedge(film_, facets_around(film_, e), tight_wedge)) return false;
+  surgery::flip(film_, *diagonal);
+  ++report_.flips;
+  for (const Vertex v : {diagonal->p, diagonal->q, diagonal->r, diagonal->w}) touch(v);
+  return true;
+}
+
+void Remesher::flip() {
+  for (int pass = 0; pass < flip_passes; ++pass) {
+    const long before = report_.flips;
+    for (std::uint32_t i = 0; i < film_.edge_rows(); ++i) {
+      const Side first = film_.first_side(Edge(i));
+      if (film_.alive(Edge(i)) && first.valid()) flip_edge(Edge(i), options_.flip_slack);
+    }
+    if (report_.flips == before) return;
+  }
+}
+
+void Remesher::even_out() {
+  std::vector<Vertex>& touched = report_.touched;
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  std::vector<std::pair<Vertex, Vec3>> moves;
+  for (const Vertex v : touched) {
+    if (!film_.alive(v) || rank_of(scene_, v) != Rank::sheet) continue;
+    if (!scene::constraints_of(scene_, film::ElementKind::vertex, v.index).empty()) continue;
+    if (has_narrow_wedge(film_, facets_at(film_, std::span(&v, 1)), tight_wedge)) continue;
+    moves.emplace_back(v, averaging_move(film_, v, Averaging::keep_volume));
+  }
+  for (const auto& [v, move] : moves) {
+    film_.move(v, film_.position(v) + move);
+    ++report_.moved;
+  }
+}
+
+}  // namespace
+
+bool needs_remesh(const Film& film, std::span<const Vec3> positions, const RemeshOptions& options) {
+  if (film.periodic()) return false;
+  if (!has_sizes(film)) return true;
+  const auto sizes = film.columns(film::ElementKind::vertex).reals(size_column);
+  for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
+    const auto& [tail, head] = film.ends(Edge(i));
+    const double square = squared_length(positions[head.index] - positions[tail.index]);
+    const double size = 0.5 * (sizes[tail.index] + sizes[head.index]);
+    if (square > options.longest * options.longest * size * size ||
+        square < options.shortest * options.shortest * size * size)
+      return true;
+  }
+  for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
+    const auto& c = film.corners(Triangle(i));
+    if (relative_altitude({positions[c[0].index], positions[c[1].index], positions[c[2].index]}) <
+        options.sliver)
+      return true;
+  }
+  return false;
+}
+
+RemeshReport remesh(Scene& scene, const RemeshOptions& options) {
+  return scene.film.periodic() ? RemeshReport{} : Remesher(scene, options).run();
+}
+
+}  // namespace lamella::surgery
