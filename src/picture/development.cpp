@@ -104,7 +104,8 @@ std::vector<std::uint8_t> Exposure::uneven(const Colour& behind) const {
   return result;
 }
 
-void Exposure::develop(Image& image, int x, int y, const Style& style, bool transparent) const {
+void Exposure::develop(Image& image, int x, int y, const Style& style, bool transparent,
+                       const CastShadow& shadow) const {
   for (int row = 0; row < height_; ++row) {
     const Colour behind = background(style, y + row, image.height);
     const std::size_t first = static_cast<std::size_t>(height_ - 1 - row) * static_cast<std::size_t>(width_);
@@ -112,7 +113,8 @@ void Exposure::develop(Image& image, int x, int y, const Style& style, bool tran
     Pixel* pixels = &image.at(x, y + row);
     for (int column = 0; column < width_; ++column) {
       const float share = 1 / looks_[first + static_cast<std::size_t>(column)];
-      const Layer seen{share * sums[column].glow, share * sums[column].clear};
+      const float light = shadow.light(x + column, y + row, image.width, image.height);
+      const Layer seen{share * sums[column].glow, light * share * sums[column].clear};
       pixels[column] = transparent ? translucent_pixel(seen) : opaque_pixel(seen.glow + seen.clear * behind);
     }
   }

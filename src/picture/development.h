@@ -8,6 +8,7 @@
 #include "picture/blending.h"
 #include "picture/image.h"
 #include "picture/painter.h"
+#include "picture/shadow.h"
 #include "picture/style.h"
 
 namespace lamella::picture {
@@ -34,8 +35,9 @@ class Exposure {
   std::vector<std::uint8_t> uneven(const Colour& behind) const;
 
   // The mean of all looks, before the style's background or before none, at the place of the tile in the
-  // image.
-  void develop(Image& image, int x, int y, const Style& style, bool transparent) const;
+  // image. A shadow dims what is behind.
+  void develop(Image& image, int x, int y, const Style& style, bool transparent,
+               const CastShadow& shadow) const;
 
  private:
   int width_;

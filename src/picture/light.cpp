@@ -15,6 +15,7 @@ struct Look {
   const Style& style;
   int samples = 1;
   bool transparent = false;
+  CastShadow shadow;
 };
 
 // A rectangle of the image.
@@ -37,7 +38,7 @@ bool paint_part(Painter& painter, const Look& look, const Part& part, Image& ima
     exposure.add(painted, wanted);
     if (wanted.empty()) wanted = exposure.uneven(look.style.background_top);
   }
-  exposure.develop(image, part.x, part.y, look.style, look.transparent);
+  exposure.develop(image, part.x, part.y, look.style, look.transparent, look.shadow);
   return true;
 }
 
@@ -86,10 +87,11 @@ void paint_all(Painter& painter, const Look& look, Image& image) {
 }  // namespace
 
 void paint_light(Image& image, const Drawing& drawing, const Camera& camera, const Style& style, int samples,
-                 bool transparent) {
+                 bool transparent, bool shadow) {
+  const GroundShadow ground = shadow ? GroundShadow(drawing) : GroundShadow();
   Painter painter(drawing, style, tile_length(image.width), tile_length(image.height));
   painter.look_through(camera);
-  paint_all(painter, {style, samples, transparent}, image);
+  paint_all(painter, {style, samples, transparent, {ground, camera}}, image);
 }
 
 }  // namespace lamella::picture

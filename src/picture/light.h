@@ -8,8 +8,9 @@
 
 namespace lamella::picture {
 
-// `samples` looks at each pixel at which the picture is not smooth, one at the others.
+// With a shadow on the ground if asked; `samples` looks at each pixel at which the picture is not smooth, one
+// at the others.
 void paint_light(Image& image, const Drawing& drawing, const Camera& camera, const Style& style, int samples,
-                 bool transparent);
+                 bool transparent, bool shadow);
 
 }  // namespace lamella::picture

@@ -136,7 +136,8 @@ Image render(const scene::Scene& scene, const PictureOptions& options) {
   if (options.style.line_drawing) return paper_image(paper(scene, options));
   const Prepared prepared = prepare(scene, options);
   Image image(options.width, options.height);
-  paint_light(image, prepared.drawing, prepared.camera, options.style, options.samples, options.transparent);
+  paint_light(image, prepared.drawing, prepared.camera, options.style, options.samples, options.transparent,
+              options.shadow);
   if (options.annotations.any()) annotate(image, writing(scene, options, prepared.drawing, prepared.camera));
   return image;
 }

@@ -74,6 +74,7 @@ void set_style(PictureOptions& options, const PictureWords& words) {
   }
   options.line_width = words.line_width;
   options.transparent = words.transparent;
+  options.shadow = words.shadow;
   if (!words.background) return;
   const std::string name = text::lower(words.background->text);
   if (name == "none") {

@@ -22,6 +22,7 @@ struct PictureWords {
   std::optional<Word> style;
   std::optional<Word> background;
   bool transparent = false;
+  bool shadow = false;
   std::optional<int> samples;
   std::optional<File> view;
   std::optional<std::array<double, 3>> from;
@@ -75,6 +76,7 @@ std::vector<ArgumentOf<Options>> picture_arguments() {
   add(own("style", &W::style, "film, glass, paper, wire, regions or flat"));
   add(own("background", &W::background, "a colour: white, black, lightblue, #rrggbb; or none"));
   add(own("transparent", &W::transparent, "no background"));
+  add(own("shadow", &W::shadow, "a soft shadow on the ground"));
   add(own("samples", &W::samples, "looks at each pixel").at_least(1).at_most(64));
   add(own("view", &W::view, "front, back, left, right, top, bottom, corner or a file of view save"));
   add(own("from", &W::from, "direction in which the viewer stands, such as (1, -2, 0.5)"));

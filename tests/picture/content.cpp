@@ -106,7 +106,7 @@ TEST(Explode, BodiesMoveApartWhole) {
   EXPECT_NEAR(centres[1].y, 0, 1e-9);
   Content content;
   content.explode = 0.5;
-  const Exploded exploded = explode(scene, content);
+  const FilmCopy exploded = explode(scene, content);
   std::uint32_t between = 0;
   for (std::uint32_t t = 0; t < scene.film.triangle_rows(); ++t) {
     const film::RegionPair regions = scene.film.regions(film::Triangle(t));
@@ -127,7 +127,7 @@ TEST(Explode, FieldsAndFiltersGoAlong) {
   for (std::uint32_t t = 0; t < scene.film.triangle_rows(); ++t) content.field->values.push_back(t);
   content.facets.assign(scene.film.triangle_rows(), 1);
   content.facets[0] = 0;
-  const Exploded exploded = explode(scene, content);
+  const FilmCopy exploded = explode(scene, content);
   EXPECT_EQ(exploded.content.field->values.size(), exploded.scene.film.triangle_rows());
   EXPECT_EQ(exploded.content.facets.size(), exploded.scene.film.triangle_rows());
   EXPECT_EQ(exploded.content.explode, 0);
