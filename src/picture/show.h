@@ -30,7 +30,7 @@ struct PictureOptions {
   std::optional<View> view;  // view_of(scene) if none
   Content content;
   Annotations annotations;
-  bool shadow = false;  // on the ground under the scene
+  bool shadow = false;             // on the ground under the scene
   bool transparent = false;        // no background
   std::optional<Framing> framing;  // instead of the view: as in another picture
   double line_width = 1;           // of line drawings, as a factor; light has it in the style

@@ -120,8 +120,10 @@ TEST_P(EveryDatafile, VolumesDoNotDependOnThePlace) {
   const energy::Measures here = energy::measure(scene);
   test::move_all(scene.film, {1000, -1000, 500});
   expect_same(energy::measure(scene), here, 1e-9);
-  test::rotate_all(scene.film, {1, 2, -3}, 0.7);
-  expect_same(energy::measure(scene), here, 1e-9);
+  if (!scene.film.periodic()) {  // whose periods would have to turn along
+    test::rotate_all(scene.film, {1, 2, -3}, 0.7);
+    expect_same(energy::measure(scene), here, 1e-9);
+  }
   test::move_all(scene.film, {-1000, 1000, 1000});
   expect_same(energy::measure(scene), here, 1e-9);
 }
