@@ -60,6 +60,15 @@ if wanted foam || wanted foam_cells; then
   echo foam.png foam_cells.png
 fi
 
+# A periodic foam, every cell whole; and what is left of a foam in which bubbles have burst.
+picture weaire_phelan "$data/weaire_phelan.fe" 'refine; refine; relax; refine; relax' 'shadow'
+if wanted foam_burst; then
+  "$lamella" -q "$data/six_bubbles.fe" -e 'refine; refine; relax' -e "show \"$here/foam_burst_1.png\" size=360x300 shadow" \
+    -e 'burst body[2]; relax; refine; relax' -e "show \"$here/foam_burst_2.png\" size=360x300 shadow" \
+    -e 'burst body[5]; relax' -e "show \"$here/foam_burst_3.png\" size=360x300 shadow"
+  echo foam_burst_1.png to foam_burst_3.png
+fi
+
 # Two rings drawn apart: further than 1.3255 radii the film between them gives way. What is left of its neck is a thread
 # without area, which is not drawn.
 if wanted pinch_1; then

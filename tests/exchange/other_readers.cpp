@@ -103,6 +103,55 @@ TEST(OtherReaders, Vtk) {
   }
 }
 
+// --- Blender
+
+constexpr const char* blender_script = R"py(import bpy, bmesh, sys
+path = sys.argv[sys.argv.index('--') + 1]
+bpy.ops.object.select_all(action='SELECT')
+bpy.ops.object.delete()
+if path.endswith('.obj'):
+    bpy.ops.wm.obj_import(filepath=path)
+elif path.endswith('.ply'):
+    bpy.ops.import_mesh.ply(filepath=path)
+else:
+    bpy.ops.import_mesh.stl(filepath=path)
+vertices = faces = borders = 0
+area = 0.0
+for thing in bpy.data.objects:
+    if thing.type != 'MESH': continue
+    mesh = bmesh.new()
+    mesh.from_mesh(thing.data)
+    vertices += len(mesh.verts)
+    faces += len(mesh.faces)
+    area += sum(f.calc_area() for f in mesh.faces)
+    borders += sum(len(e.link_faces) > 2 for e in mesh.edges)
+print('figure vertices', vertices)
+print('figure faces', faces)
+print('figure area', area)
+print('figure borders', borders)
+)py";
+
+TEST(OtherReaders, Blender) {
+  if (output_of("blender --version").empty()) GTEST_SKIP() << "Blender is not installed";
+  const Folder folder;
+  const scene::Scene scene = foam();
+  const Measured m = measured(scene);
+  const std::string script = folder.write("figures.py", blender_script);
+  for (const char* name : {"a.ply", "a.obj", "a.stl"}) {
+    SCOPED_TRACE(name);
+    std::istringstream output(output_of("blender --background --factory-startup --python '" + script +
+                                        "' -- '" + exported(folder, scene, name) + "' | grep '^figure'"));
+    std::map<std::string, double> figures;
+    std::string word;
+    double value = 0;
+    while (output >> word >> word >> value) figures[word] = value;
+    EXPECT_EQ(figures["vertices"], m.vertices);
+    EXPECT_EQ(figures["faces"], m.facets);
+    EXPECT_EQ(figures["borders"], m.borders);
+    EXPECT_NEAR(figures["area"], m.area, 1e-6 * m.area);
+  }
+}
+
 // --- assimp
 
 // The number after `name:` in what `assimp info` says.
