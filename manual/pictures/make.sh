@@ -51,6 +51,14 @@ if wanted wind; then
   echo wind.png
 fi
 
+# A bubble that the wind dents.
+if wanted wind_bubble; then
+  "$lamella" -q "$data/cube.fe" -e 'refine 4; relax; damping := 0.5' \
+    -e 'wind (6*exp(-3*((y-0.5)^2+(z-0.5)^2)), 0, 0) pressure 1; evolve 120' \
+    -e "show \"$here/wind_bubble.png\" size=720x540 from (0.2, -1, 0.3) shadow"
+  echo wind_bubble.png
+fi
+
 # A foam of 59 Kelvin cells, whose outer ones have room to become round.
 if wanted foam || wanted foam_cells; then
   awk -v radius=7 -f "$here/kelvin.awk" > "$scratch/kelvin.obj"
