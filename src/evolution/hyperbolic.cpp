@@ -28,7 +28,7 @@ constexpr double too_stiff = 0.7;  // what keeps the fitness below this part of 
 constexpr double steps_between_upkeeps = 10;
 constexpr double implicit_reach = 10;  // an implicit step over an explicit one, unless fixed
 // Where steps have become this much shorter than they were, in spite of upkeep, something shrinks to nothing.
-constexpr double lost = 1e-3;
+constexpr double lost = 1e-2;
 constexpr double forgetting = 0.9;  // of the best, where the mesh does not get as fit as it was
 
 // A target that was set at once, or a datafile whose bodies do not have their volumes yet, is met by moving
