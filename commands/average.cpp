@@ -20,10 +20,8 @@ void restore_volumes(scene::Scene& scene, const energy::Measures& before) {
     if (held.bodies[b].fixed_volume()) held.bodies[b].target_volume = before.volumes[b + 1];
   }
   solve::Problem problem(held);
-  bool ok = false;
-  problem.linearise(scene.film.positions(), ok);
   double energy = 0;
-  if (!ok || problem.restore_volumes(scene.film.edit_positions(), energy) != solve::Ending::converged) {
+  if (problem.linearise_and_restore(scene.film.edit_positions(), energy) != solve::Ending::converged) {
     throw text::Error("the volumes were lost in averaging",
                       "the mesh may be too coarse or tangled: try check, u or refine");
   }

@@ -39,11 +39,8 @@ void run(Session& session, const DescendOptions& options) {
     }
     if (session.monitor().stop_requested()) break;
   }
-  // Steps leave volumes nearly right.
   double energy = 0;
-  bool ok = false;
-  problem.linearise(x, ok);
-  if (ok) problem.restore_volumes(x, energy);
+  problem.linearise_and_restore(x, energy);  // steps leave volumes nearly right
   problem.publish(scene);
 }
 

@@ -97,13 +97,13 @@ Measures measure(const scene::Scene& scene) {
   m.energy = sums.energy;
   m.length = total_length(film, film.columns(ElementKind::edge).reals("tension"), m.energy);
   if (scene.strings.on) m.area = m.length;
-  if (has_formulas(scene)) add_formula_terms(scene, m);
-  if (scene.bodies.empty()) return m;
-  if (film.periodic()) {
+  if (film.periodic() && !scene.bodies.empty()) {
     unfolding.add_volumes(extended, input.origin, m.volumes);
-    const std::vector<double> cells = whole_cells(scene, unfolding);
+    const std::vector<double> cells = whole_cells(scene, m.volumes);
     for (std::size_t r = 0; r < cells.size(); ++r) m.volumes[r] += cells[r];
   }
+  if (has_formulas(scene)) add_formula_terms(scene, m);
+  if (scene.bodies.empty()) return m;
 
   const OpenVolume convention =
       scene.symmetric_content ? OpenVolume::cone_from_origin : OpenVolume::above_plane;

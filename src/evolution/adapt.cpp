@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "energy/triangle.h"
+#include "film/normals.h"
 #include "film/order.h"
 #include "scene/constraint_sets.h"
 #include "surgery/refine.h"
@@ -26,19 +27,14 @@ constexpr double outliers = 0.02;
 // A facet that only one halved edge touches is cut in two if that edge is about its longest.
 constexpr double nearly = 0.9;
 
-Vec3 doubled_area(const Film& film, Triangle t) {
-  const std::array<Vec3, 3> p = film.points(t);
-  return energy::double_area_vector(p[0], p[1], p[2]);
-}
-
 double edge_length(const Film& film, Edge e) {
   return length(film.vector(e));
 }
 
 // The angle by which a film turns at an edge.
 double turn_between(const Film& film, Side a, Side b) {
-  const Vec3 u = doubled_area(film, a.triangle());
-  Vec3 v = doubled_area(film, b.triangle());
+  const Vec3 u = film::double_area_vector(film, a.triangle());
+  Vec3 v = film::double_area_vector(film, b.triangle());
   if (film.edge_of(a).reversed() == film.edge_of(b).reversed()) v = -v;
   return std::atan2(length(cross(u, v)), dot(u, v));
 }
@@ -107,7 +103,7 @@ std::vector<double> facet_errors(const scene::Scene& scene) {
       const double turn = turn_between(film, first, second);
       for (const Side s : {first, second}) {
         errors[s.triangle().index] += 0.5 * scene::tension(scene, s.triangle()) *
-                                      length(doubled_area(film, s.triangle())) * turn * turn / 24;
+                                      length(film::double_area_vector(film, s.triangle())) * turn * turn / 24;
       }
     }
   }

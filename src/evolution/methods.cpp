@@ -31,9 +31,7 @@ void descend(solve::Problem& problem, solve::DescentRule rule, std::span<film::V
     if (report.residual < options.tolerance) report.ending = Ending::converged;
     if (monitor.stop_requested()) report.ending = Ending::stopped;
   }
-  bool ok = false;  // steps leave volumes nearly right
-  problem.linearise(x, ok);
-  if (ok) problem.restore_volumes(x, report.energy);
+  problem.linearise_and_restore(x, report.energy);  // steps leave volumes nearly right
 }
 
 void by_lbfgs(solve::Problem& problem, scene::Scene& scene, const RelaxOptions& options,

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "energy/film_energy.h"
+#include "evolution/changed_mesh.h"
 #include "evolution/masses.h"
 #include "scene/constraint_sets.h"
-#include "solve/problem.h"
 #include "surgery/sizing.h"
 
 namespace lamella::evolution {
@@ -32,15 +33,10 @@ film::Reals& reals(Film& film, const char* name) {
   return std::get<film::Reals>(film.columns(ElementKind::vertex).edit(name)->data);
 }
 
-bool restore_volumes(Scene& scene) {
+bool put_right(Scene& scene) {
+  if (scene.has_fixed_volume() && scene.film.triangle_count() > 0) return restore_volumes(scene);
   scene::constrain_vertices(scene);
-  if (!scene.has_fixed_volume() || scene.film.triangle_count() == 0) return true;
-  solve::Problem problem(scene);
-  bool ok = false;
-  double energy = problem.linearise(scene.film.positions(), ok);
-  ok = ok && problem.restore_volumes(scene.film.edit_positions(), energy) == solve::Ending::converged;
-  if (ok) problem.publish(scene);
-  return ok;
+  return true;
 }
 
 // Flags, by the rows of the film after compaction, for vertices named by rows before.
@@ -131,11 +127,6 @@ class Touched {
   std::vector<Vec3> velocities_;
 };
 
-double potential(const Scene& scene) {
-  energy::FilmEnergy terms(scene);
-  return terms.value(scene.film.positions());
-}
-
 }  // namespace
 
 TopologyKeeper::TopologyKeeper() : proximity_(contact, list_margin) {}
@@ -179,7 +170,7 @@ bool TopologyKeeper::apply(Scene& scene, std::span<const surgery::Contact> conta
   if (film::Column* velocity = columns.edit("velocity"))
     velocity->inheritance.on_merge = film::Inheritance::Merge::mean;
   const Balance before = balance(scene);
-  double energy = potential(scene) + before.kinetic;
+  double energy = potential_energy(scene) + before.kinetic;
   surgery::TopologyReport report = surgery::keep_topology(scene, options_, contacts);
   tight_ = !report.refused.empty();
   const double moving = balance(scene).kinetic;
@@ -187,14 +178,14 @@ bool TopologyKeeper::apply(Scene& scene, std::span<const surgery::Contact> conta
   if (slowed) energy += balance(scene).kinetic - moving;
   if (!report.changed()) return slowed;
   Touched touched(scene, compact_with_flags(film, report.touched));
-  if (!restore_volumes(scene)) {
+  if (!put_right(scene)) {
     ++counts_.refused;
     return false;
   }
   touched.spread_mass(before.mass);
   touched.restore_momentum(before.momentum);
   if (report.events.empty() && report.zips == 0)
-    touched.add_kinetic(energy - potential(scene) - touched.balance().kinetic);
+    touched.add_kinetic(energy - potential_energy(scene) - touched.balance().kinetic);
   touched.store();
   ++counts_.passes;
   counts_.splits += report.mesh.splits;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "energy/film_energy.h"
 #include "evolution/balance.h"
+#include "evolution/changed_mesh.h"
 #include "evolution/masses.h"
-#include "scene/constraint_sets.h"
-#include "solve/problem.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
 
@@ -47,16 +47,6 @@ std::vector<Vec3> carried_along(const film::Film& film, std::span<const Vec3> be
   return result;
 }
 
-bool restore_volumes(scene::Scene& scene) {
-  scene::constrain_vertices(scene);
-  solve::Problem problem(scene);
-  bool ok = false;
-  double energy = problem.linearise(scene.film.positions(), ok);
-  ok = ok && problem.restore_volumes(scene.film.edit_positions(), energy) == solve::Ending::converged;
-  if (ok) problem.publish(scene);
-  return ok;
-}
-
 // Masses by the present areas where the mesh was changed, of the same total there; as they were elsewhere.
 std::vector<double> masses_after(const scene::Scene& scene, const std::vector<std::uint8_t>& chosen) {
   energy::FilmEnergy terms(scene);
@@ -74,11 +64,6 @@ std::vector<double> masses_after(const scene::Scene& scene, const std::vector<st
     if (chosen[v] != 0) masses[v] = area > 0 ? terms.lines()[v].area * (mass / area) : 0;
   }
   return masses;
-}
-
-double potential_energy(const scene::Scene& scene) {
-  energy::FilmEnergy terms(scene);
-  return terms.value(scene.film.positions());
 }
 
 // The vertices that are too stiff, and those near them.

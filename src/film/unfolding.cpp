@@ -145,6 +145,15 @@ std::span<const Vec3> Unfolding::extend(std::span<const Vec3> positions, std::ve
   return into;
 }
 
+std::array<Vec3, 3> points_at(const Film& film, Triangle t, std::span<const Vec3> positions) {
+  std::array<Vec3, 3> points;
+  for (std::size_t k = 0; k < 3; ++k) points[k] = positions[film.corners(t)[k].index];
+  if (!film.periodic()) return points;
+  const std::array<Wrap, 3> wrap = film.corner_wraps(t);
+  for (std::size_t k = 1; k < 3; ++k) points[k] += film.lattice()->shift(wrap[k]);
+  return points;
+}
+
 // A sum of det(a,b,c)/6 over triangles that are moved by m grows by m.A/3, A the vector area. Along a seam
 // with gap m it varies by m.(dx x v)/3 more than the film's flux when points move by v. That is taken back by
 // m.(p x q)/6 for each of its edges, whose own variation leaves (m.(p x v)/6) at its ends: the gaps around a

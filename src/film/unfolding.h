@@ -80,4 +80,7 @@ class Unfolding {
   std::vector<Seam> seams_;
 };
 
+// The corners of a facet at other positions than the film's, unfolded from the first one.
+std::array<Vec3, 3> points_at(const Film& film, Triangle t, std::span<const Vec3> positions);
+
 }  // namespace lamella::film

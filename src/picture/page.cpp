@@ -11,7 +11,7 @@
 
 #include "picture/interference.h"
 #include "picture/page_text.h"
-#include "picture/unwrap.h"
+#include "picture/unwrapped.h"
 
 namespace lamella::picture {
 
@@ -181,13 +181,9 @@ std::string base64(std::string_view bytes) {
 
 void add_frame(Page& page, const scene::Scene& scene, const PictureOptions& options) {
   if (scene.film.periodic()) {
-    FilmCopy copy = unwrap(scene, options.content);
-    copy.scene.name = scene.name;
-    copy.scene.time = scene.time;
-    PictureOptions plain = options;
-    plain.content = std::move(copy.content);
-    add_frame(page, copy.scene, plain);
-    return;
+    return unwrapped(scene, options, [&](const scene::Scene& plain, const PictureOptions& plain_options) {
+      add_frame(page, plain, plain_options);
+    });
   }
   const bool first = page.frames.empty();
   const Framing framing = options.framing && !first ? *options.framing : framing_of(scene, options);

@@ -12,7 +12,7 @@
 #include "picture/line_drawing.h"
 #include "picture/page.h"
 #include "picture/png.h"
-#include "picture/unwrap.h"
+#include "picture/unwrapped.h"
 #include "text/error.h"
 #include "text/whole_file.h"
 
@@ -94,17 +94,6 @@ Paper paper(const scene::Scene& scene, const PictureOptions& options) {
   paper.line_width = options.line_width;
   if (options.annotations.any()) paper.writing = writing(scene, options, prepared.drawing, prepared.camera);
   return paper;
-}
-
-// What `make` gives for the film in which every bubble of a periodic one is whole.
-template <class Make>
-auto unwrapped(const scene::Scene& scene, const PictureOptions& options, Make&& make) {
-  FilmCopy copy = unwrap(scene, options.content);
-  copy.scene.name = scene.name;
-  copy.scene.time = scene.time;
-  PictureOptions plain = options;
-  plain.content = std::move(copy.content);
-  return make(copy.scene, plain);
 }
 
 std::string lower_extension(const std::string& path) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "datafile/attributes.h"
+#include "film/normals.h"
 #include "film/vertex_place.h"
 #include "session/constraint_attributes.h"
 #include "session/element_access.h"
@@ -106,8 +107,7 @@ double edge_length(const Source& source, const Element& e, int) {
 // Half the cross product of two edges: the normal, as long as the facet is large.
 Vec3 area_vector(const Source& source, const Element& f) {
   const film::Film& film = source.scene.film;
-  const std::array<Vec3, 3> p = film.points(Triangle(f.row));
-  return film::cross(p[1] - p[0], p[2] - p[0]) * (0.5 * sign(f));
+  return film::double_area_vector(film, Triangle(f.row)) * (0.5 * sign(f));
 }
 
 template <int axis>

@@ -20,9 +20,8 @@ HessianWork::HessianWork(Session& session)
       x_(session.scene().film.edit_positions()),
       method_(problem_, session.scene().film,
               session.scene().hessian_normal ? solve::MotionKind::normal : solve::MotionKind::full) {
-  bool ok = false;
-  double energy = problem_.linearise(x_, ok);
-  const Ending ending = ok ? problem_.restore_volumes(x_, energy) : Ending::volume_lost;
+  double energy = 0;
+  const Ending ending = problem_.linearise_and_restore(x_, energy);
   if (ending != Ending::converged) refuse_hessian_step(ending);
 }
 

@@ -4,6 +4,7 @@
 
 #include "datafile/attributes.h"
 #include "datafile/write_elements.h"
+#include "film/normals.h"
 #include "session/element_access.h"
 
 namespace lamella::session {
@@ -69,8 +70,7 @@ class Lister {
     for (const film::SignedEdge e : film().edges(t)) {
       result += fmt::format(" {}{}", e.reversed() ? "-" : "", film().number(e.edge()));
     }
-    const std::array<film::Vec3, 3> p = film().points(t);
-    const double area = film::length(film::cross(p[1] - p[0], p[2] - p[0])) / 2;
+    const double area = film::length(film::double_area_vector(film(), t)) / 2;
     return result + fmt::format("{}  /*area {:.6g}*/\n", attributes(t.index, film().number(t)), area);
   }
 

@@ -17,7 +17,7 @@ struct Refused {
 constexpr std::string_view pops = "pop_tri_to_edge and pop_edge_to_tri swap neighbours";
 constexpr std::string_view merges = "elements are not merged one by one; delete edges collapses short ones";
 constexpr std::string_view linear = "facets are flat and edges straight here: refine in their place";
-constexpr std::string_view torus = "periodic scenes are not changed by commands";
+constexpr std::string_view torus = "a periodic film stays one; pictures show each of its bodies whole";
 constexpr std::string_view printers = "show FILE.pdf or show FILE.svg draws lines, show FILE.png a picture";
 constexpr std::string_view geomview = "there is no window to talk to: show FILE.png draws a picture";
 constexpr std::string_view menus = "it asks questions; its single commands do the same";

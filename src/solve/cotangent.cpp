@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "film/unfolding.h"
+
 namespace lamella::solve {
 
 using film::Vec3;
@@ -15,14 +17,7 @@ double cotangent_weights(const film::Film& film, std::span<const double> tension
   for (std::size_t t = 0; t < c.triangle_vertices.size(); ++t) {
     const auto& corner = c.triangle_vertices[t];
     const double sigma = tension.empty() ? 1.0 : tension[t];
-    const Vec3& p0 = x[corner[0].index];
-    Vec3 p1 = x[corner[1].index];
-    Vec3 p2 = x[corner[2].index];
-    if (film.periodic()) {
-      const std::array<film::Wrap, 3> wrap = film.corner_wraps(film::Triangle(t));
-      p1 += film.lattice()->shift(wrap[1]);
-      p2 += film.lattice()->shift(wrap[2]);
-    }
+    const auto [p0, p1, p2] = film::points_at(film, film::Triangle(t), x);
     const double doubled = length(cross(p1 - p0, p2 - p0));
     if (!(doubled > 0)) continue;
     const double half = 0.5 * sigma / doubled;

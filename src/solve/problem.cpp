@@ -178,6 +178,20 @@ double Problem::volume_error() const {
   return worst;
 }
 
+// Moves x along the volume gradients by what volumes lack to first order. False if it leaves its constraints.
+bool Problem::make_good(std::span<Vec3> x, std::span<const double> errors) {
+  gram_.solve(errors, multipliers_);
+  energy_.volume_gradient().set_multipliers(multipliers_);
+  for (std::size_t v = 0; v < x.size(); ++v) x[v] += weights_[v] * energy_.volume_gradient().pull(v);
+  return constrain(x);
+}
+
+Ending Problem::linearise_and_restore(std::span<Vec3> x, double& energy) {
+  bool ok = false;
+  linearise(x, ok);
+  return ok ? restore_volumes(x, energy) : Ending::volume_lost;
+}
+
 Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode mode) {
   if (!constrain(x)) return Ending::constraint_lost;
   if (targets_.empty()) {
@@ -200,10 +214,7 @@ Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode m
     before = error;
     volume_errors(errors_);
     limit(errors_);
-    gram_.solve(errors_, multipliers_);
-    energy_.volume_gradient().set_multipliers(multipliers_);
-    for (std::size_t v = 0; v < x.size(); ++v) x[v] += weights_[v] * energy_.volume_gradient().pull(v);
-    if (!constrain(x)) return Ending::constraint_lost;
+    if (!make_good(x, errors_)) return Ending::constraint_lost;
   }
   return volume_error() < 1e-9 ? Ending::converged : Ending::volume_lost;
 }
@@ -216,10 +227,7 @@ double Problem::restore_roughly(std::span<Vec3> x, double tolerance) {
     const bool near = std::all_of(errors_.begin(), errors_.end(),
                                   [&](double error) { return std::abs(error) <= tolerance; });
     if ((near && pass > 0) || !std::isfinite(energy)) break;
-    gram_.solve(errors_, multipliers_);
-    energy_.volume_gradient().set_multipliers(multipliers_);
-    for (std::size_t v = 0; v < x.size(); ++v) x[v] += weights_[v] * energy_.volume_gradient().pull(v);
-    if (!constrain(x)) return HUGE_VAL;
+    if (!make_good(x, errors_)) return HUGE_VAL;
     energy = energy_.value(x);
   }
   return energy;

@@ -75,6 +75,10 @@ class Problem {
   // `energy` is the energy at x. Ending::converged or volume_lost or not_finite.
   Ending restore_volumes(std::span<Vec3> x, double& energy, RestoreMode mode = RestoreMode::renew_gradients);
 
+  // The same from positions that nothing has been evaluated at: linearises there first. Leaves `energy` as it
+  // is where that fails.
+  Ending linearise_and_restore(std::span<Vec3> x, double& energy);
+
   // The same with the gradients of the last `linearise` alone, until volumes are within `tolerance` of their
   // targets (relative to 1 or to them, whichever is more), but not often: enough to compare energies. Returns
   // the energy, infinite where constraints are lost.
@@ -88,6 +92,7 @@ class Problem {
   bool find_pressures();
   void volume_errors(std::span<double> errors) const;
   void limit(std::span<double> errors) const;
+  bool make_good(std::span<Vec3> x, std::span<const double> errors);
 
   energy::FilmEnergy energy_;
   std::vector<double> weights_;

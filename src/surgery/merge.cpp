@@ -5,6 +5,7 @@
 #include <set>
 
 #include "film/intersections.h"
+#include "film/normals.h"
 #include "surgery/contract.h"
 #include "surgery/feature.h"
 #include "surgery/patch.h"
@@ -33,14 +34,9 @@ constexpr double gain = 1e-3;  // least area to be won, in squares of the size
 using Facets = std::set<Triangle>;
 using Vertices = std::set<Vertex>;
 
-Vec3 normal_of(const Film& film, Triangle t) {
-  const auto p = film.points(t);
-  return cross(p[1] - p[0], p[2] - p[0]);
-}
-
 double area_of(const Film& film, const Facets& facets) {
   double sum = 0;
-  for (const Triangle t : facets) sum += 0.5 * length(normal_of(film, t));
+  for (const Triangle t : facets) sum += 0.5 * length(film::double_area_vector(film, t));
   return sum;
 }
 
@@ -279,8 +275,8 @@ std::optional<Merge> Merger::commit(const Facets& p_facets, const Facets& q_face
     if (std::find(q->rim.begin(), q->rim.end(), v) != q->rim.end()) return {};
   }
   // Seen along the way from the first sheet to the second.
-  const bool p_front = dot(normal_of(film_, p->facets[0]), way_) > 0;
-  const bool q_front = dot(normal_of(film_, q->facets[0]), way_) > 0;
+  const bool p_front = dot(film::double_area_vector(film_, p->facets[0]), way_) > 0;
+  const bool q_front = dot(film::double_area_vector(film_, q->facets[0]), way_) > 0;
   const Region gap = beyond(p->facets[0], false, p_front);
   const Region near = beyond(p->facets[0], false, !p_front);
   const Region far = beyond(q->facets[0], false, q_front);
@@ -320,7 +316,7 @@ std::optional<Merge> Merger::commit(const Facets& p_facets, const Facets& q_face
     const auto points = film_.points(t);
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, length(points[(k + 1) % 3] - points[k]));
-    sound = sound && length(normal_of(film_, t)) > least_altitude * size_ * longest;
+    sound = sound && length(film::double_area_vector(film_, t)) > least_altitude * size_ * longest;
     for (int k = 0; k < 3; ++k) {
       const Side s(t, k);
       sound = sound && film_.region_after(s) == film_.region_before(film_.next_around(s));

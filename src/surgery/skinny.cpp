@@ -3,6 +3,7 @@
 #include <set>
 
 #include "energy/triangle.h"
+#include "film/normals.h"
 #include "surgery/split_edge.h"
 #include "surgery/split_facet.h"
 
@@ -28,11 +29,6 @@ Edge longest_edge(const Film& film, Triangle t) {
   return longest;
 }
 
-Vec3 area_vector(const Film& film, Triangle t) {
-  const std::array<Vec3, 3> p = film.points(t);
-  return energy::double_area_vector(p[0], p[1], p[2]);
-}
-
 }  // namespace
 
 std::uint32_t divide_skinny_facets(Film& film, double angle) {
@@ -52,8 +48,8 @@ double fold_angle(const Film& film, Edge e) {
   const Side first = film.first_side(e);
   const Side second = film.next_around(first);
   const bool same_way = film.edge_of(first) != film.edge_of(second);
-  const Vec3 a = area_vector(film, first.triangle());
-  const Vec3 b = area_vector(film, second.triangle());
+  const Vec3 a = film::double_area_vector(film, first.triangle());
+  const Vec3 b = film::double_area_vector(film, second.triangle());
   return film::angle_between(a, same_way ? b : -b);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "energy/triangle.h"
+#include "film/normals.h"
 #include "scene/constraint.h"
 
 namespace lamella::surgery {
@@ -21,11 +22,6 @@ using film::Vertex;
 namespace {
 
 constexpr double step = 0.25;
-
-Vec3 double_area(const Film& film, Triangle t) {
-  const std::array<Vec3, 3> p = film.points(t);
-  return energy::double_area_vector(p[0], p[1], p[2]);
-}
 
 bool is_held(const Film& film, Vertex v) {
   for (const char* const name : {scene::constraint_column, scene::boundary_column}) {
@@ -67,7 +63,7 @@ std::vector<Neighbour> neighbours_of(const Film& film, Vertex v) {
                                         : film.position(other)};
     film.for_each_side(end.edge(), [&](Side s) {
       ++neighbour.facets;
-      neighbour.area += 0.5 * length(double_area(film, s.triangle()));
+      neighbour.area += 0.5 * length(film::double_area_vector(film, s.triangle()));
     });
     result.push_back(neighbour);
   });
@@ -83,7 +79,7 @@ Vec3 normal_at(const Film& film, Vertex v) {
   film.for_each_end(v, [&](EdgeEnd end) {
     film.for_each_side(end.edge(), [&](Side s) {
       if (film.tail(film.edge_of(s)) != v) return;
-      const Vec3 area = double_area(film, s.triangle());
+      const Vec3 area = film::double_area_vector(film, s.triangle());
       const RegionPair pair = film.regions(s.triangle());
       if (!any) first = pair;
       any = true;
