@@ -1,7 +1,9 @@
 #include "datafile/assemble.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,7 @@ namespace {
 using film::Edge;
 using film::ElementKind;
 using film::Film;
+using film::Side;
 using film::SignedEdge;
 using film::Triangle;
 using film::Vec3;
@@ -52,6 +55,7 @@ class Assembler {
   void add_vertices();
   void add_edges();
   void add_triangles();
+  void begin_rings();
   void wrap_edges();
   void add_columns(ElementKind kind);
   void add_cells();
@@ -140,6 +144,32 @@ void Assembler::add_triangles() {
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
       film_.add_triangle({edges[i], spoke(cut, i + 1), -spoke(cut, i)}, regions_[cut.face]);
     }
+  }
+}
+
+// The side that comes first around an edge between two faces is of the face that stands first in the file, as
+// the elder program has it: the directions of flipped edges, and so scripts that name them, depend on it.
+void Assembler::begin_rings() {
+  if (cuts_.empty()) return;
+  std::vector<std::uint8_t> seen(film_.edge_rows(), 0);
+  const auto begin_at = [&](Side side) {
+    const Edge edge = film_.edge_of(side).edge();
+    if (std::exchange(seen[edge.index], 1)) return;
+    const Side first = film_.first_side(edge);
+    if (first != side && film_.next_around(first) == side && film_.next_around(side) == first)
+      film_.set_ring(edge, std::array{side, first});
+  };
+  std::size_t next_cut = 0;
+  for (std::uint32_t face = 0; face < rows_.of(ElementKind::facet).size(); ++face) {
+    const auto corners = static_cast<std::uint32_t>(loop(face).size());
+    if (corners == 3) {
+      for (int i = 0; i < 3; ++i) begin_at(Side(Triangle(face), i));
+      continue;
+    }
+    const Triangle part = cuts_[next_cut++].first_part;
+    for (std::uint32_t i = 0; i + 1 < corners; ++i) begin_at(Side(Triangle(part.index + i), 0));
+    begin_at(Side(Triangle(face), 1));
+    begin_at(Side(Triangle(part.index + corners - 2), 1));  // the last spoke, where it is walked
   }
 }
 
@@ -267,6 +297,7 @@ void Assembler::run() {
   add_vertices();
   add_edges();
   add_triangles();
+  begin_rings();
   if (reading_.periods) wrap_edges();
   drop_needless_backcolor(rows_.columns_of(ElementKind::facet));
   for (const ElementKind kind : {ElementKind::vertex, ElementKind::edge}) add_columns(kind);

@@ -28,7 +28,7 @@ constexpr double too_stiff = 0.7;  // what keeps the fitness below this part of 
 constexpr double steps_between_upkeeps = 10;
 constexpr double implicit_reach = 10;  // an implicit step over an explicit one, unless fixed
 // Where steps have become this much shorter than they were, in spite of upkeep, something shrinks to nothing.
-constexpr double lost = 1e-2;
+constexpr double lost = 1e-3;
 constexpr double forgetting = 0.9;  // of the best, where the mesh does not get as fit as it was
 
 // A target that was set at once, or a datafile whose bodies do not have their volumes yet, is met by moving
@@ -82,6 +82,7 @@ class Walk {
   const OnEvents& on_events_;
   TopologyKeeper topology_;
   EvolveReport report_;
+  double best_fitness_ = 0;  // of the whole run: never forgotten, unlike the scene's
 };
 
 // Moves by `dt` in pieces below the bound, halving a piece that fails.
@@ -111,7 +112,8 @@ Ending Walk::advance(double dt, long steps) {
     ++report_.substeps;
     keep_mesh();
     keep_topology();
-    if (size_.upkeep && motion_->fitness() < lost * scene_.mesh_fitness) return Ending::collapsed;
+    best_fitness_ = std::max(best_fitness_, motion_->fitness());
+    if (size_.upkeep && motion_->fitness() < lost * best_fitness_) return Ending::collapsed;
     report_.smallest_dt = report_.smallest_dt == 0 ? piece : std::min(report_.smallest_dt, piece);
     report_.largest_dt = std::max(report_.largest_dt, piece);
   }

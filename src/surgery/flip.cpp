@@ -77,8 +77,12 @@ bool flip_is_flat(const Film& film, const Diagonal& d) {
 
 void flip(Film& film, const Diagonal& d) {
   const bool opposed = film.edge_of(d.first).reversed() != film.edge_of(d.second).reversed();
-  const Triangle at_p = d.first.triangle();
-  const Triangle at_q = d.second.triangle();
+  // The first facet stays at the edge's tail, which is q where the facet walks the edge backward.
+  const bool backward = film.edge_of(d.first).reversed();
+  const Triangle first = d.first.triangle();
+  const Triangle second = d.second.triangle();
+  const Triangle at_p = backward ? second : first;
+  const Triangle at_q = backward ? first : second;
   // The four outer edges with the sides along them, walked p-w, w-q, q-r, r-p. The second facet, walked
   // against the first, runs q-p, p-w, w-q; walked along it, p-q, q-w, w-p.
   struct Outer {
@@ -89,10 +93,10 @@ void flip(Film& film, const Diagonal& d) {
   const auto side = [](Side s, int steps) { return Side(s.triangle(), (s.corner() + steps) % 3); };
   const SignedEdge pw = opposed ? edge_at(film, d.second, 1) : -edge_at(film, d.second, 2);
   const SignedEdge wq = opposed ? edge_at(film, d.second, 2) : -edge_at(film, d.second, 1);
-  const std::array<Outer, 4> outer{{{pw, side(d.second, opposed ? 1 : 2), Side(at_p, 0)},
-                                    {wq, side(d.second, opposed ? 2 : 1), Side(at_q, 0)},
-                                    {edge_at(film, d.first, 1), side(d.first, 1), Side(at_q, 1)},
-                                    {edge_at(film, d.first, 2), side(d.first, 2), Side(at_p, 2)}}};
+  const std::array<Outer, 4> outer{{{pw, side(d.second, opposed ? 1 : 2), Side(at_p, 2)},
+                                    {wq, side(d.second, opposed ? 2 : 1), Side(at_q, 1)},
+                                    {edge_at(film, d.first, 1), side(d.first, 1), Side(at_q, 2)},
+                                    {edge_at(film, d.first, 2), side(d.first, 2), Side(at_p, 1)}}};
   // Sides change hands among the two facets, so the rings are read before any is written.
   std::array<std::vector<Side>, 4> rings;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -103,11 +107,11 @@ void flip(Film& film, const Diagonal& d) {
   film.reattach(EdgeEnd(d.edge, 0), d.w);
   film.reattach(EdgeEnd(d.edge, 1), d.r);
   film.aim(SignedEdge(d.edge, false), at[2] - at[3]);
-  film.rewrite(at_p, {outer[0].edge, SignedEdge(d.edge, false), outer[3].edge});
-  film.rewrite(at_q, {outer[1].edge, outer[2].edge, SignedEdge(d.edge, true)});
-  if (!opposed) film.set_regions(at_q, film.regions(at_p));
+  film.rewrite(at_p, {SignedEdge(d.edge, false), outer[3].edge, outer[0].edge});
+  film.rewrite(at_q, {SignedEdge(d.edge, true), outer[1].edge, outer[2].edge});
+  if (!opposed) film.set_regions(second, film.regions(first));
   for (std::size_t i = 0; i < 4; ++i) film.set_ring(outer[i].edge.edge(), rings[i]);
-  film.set_ring(d.edge, std::array{Side(at_p, 1), Side(at_q, 2)});
+  film.set_ring(d.edge, std::array{Side(first, 0), Side(second, 0)});
 }
 
 }  // namespace lamella::surgery

@@ -54,6 +54,7 @@ class Refiner {
   SignedEdge head_half(SignedEdge e) const;
   Edge add_inner(Vertex from, Vertex to, Triangle inside, const Vec3& along);
   void wrap_edges();
+  void begin_rings();
   Vertex middle(SignedEdge e) const { return halved_[e.edge().index].middle; }
 
   const Film old_;  // shares the arrays until the film is changed
@@ -223,6 +224,32 @@ void Refiner::write() {
   }
   if (film_.periodic()) wrap_edges();
   film_.sort_all_sides();
+  begin_rings();
+}
+
+// Puts the side that walks the edge forward, or backward, first around an edge inside a film.
+void begin_ring(Film& film, Edge edge, bool backward) {
+  const Side first = film.first_side(edge);
+  if (!first.valid() || film.edge_of(first).reversed() == backward) return;
+  const Side second = film.next_around(first);
+  if (second == first || film.next_around(second) != first) return;
+  if (film.edge_of(second).reversed() == backward) film.set_ring(edge, std::array{second, first});
+}
+
+// Which side is first is as in the elder program, as the directions of flipped edges depend on it: a tail
+// half begins as its edge did, a head half on the other side, a new edge in a facet on the side that walks
+// it.
+void Refiner::begin_rings() {
+  const std::uint32_t old_edges = old_.edge_rows();
+  for (std::uint32_t i = 0; i < old_edges; ++i) {
+    const Side first = old_.first_side(Edge(i));
+    if (!first.valid()) continue;
+    const bool backward = old_.edge_of(first).reversed();
+    begin_ring(film_, Edge(i), backward);
+    if (halved_[i].done()) begin_ring(film_, halved_[i].head_half, !backward);
+  }
+  for (std::uint32_t i = 0; i < inside_.size(); ++i)
+    begin_ring(film_, Edge(old_edges + counts_.edges + i), false);
 }
 
 void Refiner::wrap_edges() {

@@ -1,6 +1,7 @@
 #include "surgery/split_edge.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace lamella::surgery {
@@ -15,40 +16,55 @@ using film::Vertex;
 
 namespace {
 
-// Cuts the facet that has side `s` along the edge. Walked along that side its corners are p, q and the apex
-// r; the middle m of pq parts it into (p, m, r) and (m, q, r). The facet becomes the part at the edge's tail,
-// so that it keeps its side along the edge, which is now the tail half. Returns the other part's side along
-// the head half. `from_tail` leads from the edge's tail to the middle.
-Side cut_facet(Film& film, Side s, Vertex middle, Edge tail_half, Edge head_half,
-               const film::Vec3& from_tail) {
-  const Triangle t = s.triangle();
-  const int k = s.corner();
-  const int k1 = film::next_corner(k);
-  const int k2 = film::previous_corner(k);
-  const bool along = !film.edge_of(s).reversed();
+// An edge's sides with those of one facet in other places: rings are read before any facet is written.
+std::vector<Side> ring_with(const Film& film, Edge edge, Side old, Side made) {
+  std::vector<Side> ring;
+  film.for_each_side(edge, [&](Side s) { ring.push_back(s == old ? made : s); });
+  return ring;
+}
 
-  const film::Vec3 to_apex = along ? -film.vector(film.edges(t)[static_cast<std::size_t>(k2)])
-                                   : film.vector(film.edges(t)[static_cast<std::size_t>(k1)]);
+struct Halves {
+  Edge tail;
+  Edge head;
+};
+
+// The two sides along the halves of a cut facet.
+struct Cut {
+  Side tail;
+  Side head;
+};
+
+// Cuts the facet that has side `s` along the edge from the edge's middle m to the apex. The facet becomes the
+// part at the edge's head; the part at its tail is new, and comes first around the cut. Which part is new,
+// the direction of the cut and where the loops begin are the elder program's, so that scripts find the same
+// numbers. `from_tail` leads from the edge's tail to the middle.
+Cut cut_facet(Film& film, Side s, Vertex middle, Halves half, const film::Vec3& from_tail) {
+  const Triangle t = s.triangle();
+  const int k1 = film::next_corner(s.corner());
+  const int k2 = film::previous_corner(s.corner());
+  const bool along = !film.edge_of(s).reversed();
+  const SignedEdge next = film.edges(t)[static_cast<std::size_t>(k1)];
+  const SignedEdge previous = film.edges(t)[static_cast<std::size_t>(k2)];
+
   const Edge inner = film.add_edge(middle, film.opposite(s));
   film.inherit(inner, t);
-  film.aim(SignedEdge(inner, false), to_apex - from_tail);
-  std::array<SignedEdge, 3> at_p = film.edges(t);
-  std::array<SignedEdge, 3> at_q = film.edges(t);
-  at_p[static_cast<std::size_t>(k)] = along ? SignedEdge(tail_half, false) : SignedEdge(head_half, true);
-  at_p[static_cast<std::size_t>(k1)] = SignedEdge(inner, false);
-  at_q[static_cast<std::size_t>(k)] = along ? SignedEdge(head_half, false) : SignedEdge(tail_half, true);
-  at_q[static_cast<std::size_t>(k2)] = SignedEdge(inner, true);
-
-  // The outer edge that goes over to the new part, and each part's side along the cut.
-  const int outer = along ? k1 : k2;
-  const int cut = along ? k2 : k1;
-  const Edge outer_edge = film.edges(t)[static_cast<std::size_t>(outer)].edge();
-  const Triangle part = film.add_unlinked_triangle(along ? at_q : at_p, film.regions(t));
+  film.aim(SignedEdge(inner, false), (along ? -film.vector(previous) : film.vector(next)) - from_tail);
+  using Loop = std::array<SignedEdge, 3>;
+  const Loop at_tail = along ? Loop{SignedEdge(half.tail, false), SignedEdge(inner, false), previous}
+                             : Loop{SignedEdge(half.tail, true), next, SignedEdge(inner, true)};
+  const Loop at_head = along ? Loop{SignedEdge(inner, true), SignedEdge(half.head, false), next}
+                             : Loop{SignedEdge(inner, false), previous, SignedEdge(half.head, true)};
+  const Triangle part = film.add_unlinked_triangle(at_tail, film.regions(t));
   film.inherit(part, t);
-  film.rewrite(t, along ? at_p : at_q);
-  film.replace_in_ring(outer_edge, Side(t, outer), Side(part, outer));
-  film.set_ring(inner, std::array{Side(t, outer), Side(part, cut)});
-  return Side(part, k);
+  const SignedEdge gone = along ? previous : next;
+  const SignedEdge kept = along ? next : previous;
+  const auto gone_ring = ring_with(film, gone.edge(), Side(t, along ? k2 : k1), Side(part, along ? 2 : 1));
+  const auto kept_ring = ring_with(film, kept.edge(), Side(t, along ? k1 : k2), Side(t, along ? 2 : 1));
+  film.rewrite(t, at_head);
+  film.set_ring(gone.edge(), gone_ring);
+  film.set_ring(kept.edge(), kept_ring);
+  film.set_ring(inner, std::array{Side(part, along ? 1 : 2), Side(t, 0)});
+  return {Side(part, 0), Side(t, along ? 1 : 2)};
 }
 
 }  // namespace
@@ -68,8 +84,15 @@ Vertex split_edge(Film& film, Edge edge, const film::Vec3& point) {
   film.inherit(head_half, edge);
   film.aim(SignedEdge(edge, false), from_tail);
   film.aim(SignedEdge(head_half, false), along - from_tail);
-  for (Side& s : sides) s = cut_facet(film, s, middle, edge, head_half, from_tail);
-  film.set_ring(head_half, sides);
+  std::vector<Side> head_sides;
+  for (Side& s : sides) {
+    const Cut cut = cut_facet(film, s, middle, {edge, head_half}, from_tail);
+    s = cut.tail;
+    head_sides.push_back(cut.head);
+  }
+  if (head_sides.size() == 2) std::swap(head_sides[0], head_sides[1]);
+  film.set_ring(edge, sides);
+  film.set_ring(head_half, head_sides);
   return middle;
 }
 

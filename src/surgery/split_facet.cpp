@@ -31,10 +31,12 @@ Vertex split_facet(Film& film, Triangle facet) {
     film.inherit(part[k], facet);
     film.replace_in_ring(edge[k].edge(), Side(facet, static_cast<int>(k)), Side(part[k], 0));
   }
-  film.rewrite(facet, {SignedEdge(spoke[0], false), SignedEdge(spoke[2], true), edge[2]});
-  film.set_ring(spoke[0], std::array{Side(part[0], 2), Side(facet, 0)});
+
+  film.replace_in_ring(edge[2].edge(), Side(facet, 2), Side(facet, 1));
+  film.rewrite(facet, {SignedEdge(spoke[2], true), edge[2], SignedEdge(spoke[0], false)});
+  film.set_ring(spoke[0], std::array{Side(part[0], 2), Side(facet, 2)});
   film.set_ring(spoke[1], std::array{Side(part[0], 1), Side(part[1], 2)});
-  film.set_ring(spoke[2], std::array{Side(part[1], 1), Side(facet, 1)});
+  film.set_ring(spoke[2], std::array{Side(part[1], 1), Side(facet, 0)});
   return centre;
 }
 
