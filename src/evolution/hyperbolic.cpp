@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "evolution/motion.h"
+#include "evolution/retreat.h"
 #include "evolution/upkeep.h"
 #include "solve/reach_volumes.h"
 
@@ -72,7 +73,8 @@ class Walk {
   void keep_mesh();
   void renew_motion();
   double free_step() const;
-  void keep_topology();
+  bool keep_topology(bool at_end);
+  double part_of_step(double most) const;
 
   scene::Scene& scene_;
   std::unique_ptr<Motion> motion_;
@@ -81,24 +83,30 @@ class Walk {
   const AfterStep& after_step_;
   const OnEvents& on_events_;
   TopologyKeeper topology_;
+  Retreat retreat_;
   EvolveReport report_;
   double best_fitness_ = 0;  // of the whole run: never forgotten, unlike the scene's
 };
 
-// Moves by `dt` in pieces below the bound, halving a piece that fails.
+// The longest piece of a step that is safe where sheets are near one another, or have met.
+double Walk::part_of_step(double most) const {
+  if (!size_.topology) return most;
+  const double near = topology_.longest_step(scene_, motion_->positions(), motion_->speeds());
+  return retreat_.part_of_step() * std::min(most, std::max(near, least_part * most));
+}
+
+// Moves by `dt` in pieces below the bound, halving a piece that fails. Films that tangle go back, perhaps to
+// before this step began.
 Ending Walk::advance(double dt, long steps) {
   const double fraction = size_.fixed ? substep_fraction : 1.0;
-  double left = dt;
+  const double end = scene_.time + dt;
   int halvings = 0;
-  while (left > 1e-12 * dt) {
+  const double nothing = std::max(1e-9 * dt, 1e-15 * std::abs(end));
+  for (double left = dt; left > nothing; left = end - scene_.time) {
     if (monitor_.watched()) motion_->store();
     monitor_.progress(report_.steps, steps, motion_->energy());
     if (monitor_.stop_requested()) return Ending::stopped;
-    double most = fraction * motion_->largest_step();
-    if (size_.topology) {
-      const double near = topology_.longest_step(scene_, motion_->positions(), motion_->speeds());
-      most = std::min(most, std::max(near, least_part * most));
-    }
+    const double most = part_of_step(fraction * motion_->largest_step());
     const double pieces = std::ceil(left / most * (1 - 1e-12));
     const double piece = std::ldexp(left / std::max(1.0, pieces), -halvings);
     const Ending ending = motion_->step(piece);
@@ -108,10 +116,10 @@ Ending Walk::advance(double dt, long steps) {
       continue;
     }
     halvings = std::max(0, halvings - 1);
-    left -= piece;
     ++report_.substeps;
     keep_mesh();
-    keep_topology();
+    const bool last = report_.steps + 1 == steps && end - scene_.time <= nothing;
+    if (!keep_topology(last)) return Ending::tangled;
     best_fitness_ = std::max(best_fitness_, motion_->fitness());
     if (size_.upkeep && motion_->fitness() < lost * best_fitness_) return Ending::collapsed;
     report_.smallest_dt = report_.smallest_dt == 0 ? piece : std::min(report_.smallest_dt, piece);
@@ -155,22 +163,40 @@ void Walk::keep_mesh() {
   watch.lap(report_.times.surgery);
 }
 
+// Looks at the film when it has moved far enough, and at the end. False if it tangles whatever is done.
 // Events are told while no motion stands on the scene, as whoever hears of them may change it.
-void Walk::keep_topology() {
-  if (!size_.topology || !topology_.is_due(motion_->positions())) return;
+bool Walk::keep_topology(bool at_end) {
+  if (!size_.topology || scene_.film.periodic()) return true;
+  if (!at_end && !topology_.is_due(motion_->positions())) return true;
   Stopwatch watch;
   motion_->store();
-  if (topology_.look(scene_)) {
+  const std::vector<surgery::Tangle> tangles = surgery::tangles(scene_.film);
+  if (!tangles.empty() && retreat_.ready()) {
+    const bool goes_on = retreat_.go_back(scene_, tangles);
+    ++report_.retreats;
+    renew_motion();
+    motion_->hold_together(retreat_.held());
+    watch.lap(report_.times.surgery);
+    return goes_on;
+  }
+  bool sound = tangles.empty();
+  if (topology_.look(scene_, sound)) {
     const std::vector<surgery::Event> events = topology_.take_events();
-    if (on_events_ && !events.empty()) on_events_(scene_, events);
+    if (on_events_ && !events.empty()) {
+      on_events_(scene_, events);
+      sound = sound && surgery::tangles(scene_.film).empty();
+    }
     renew_motion();
     scene_.mesh_fitness = motion_->fitness();
   }
+  if (sound) retreat_.remember(scene_);
+  motion_->hold_together(retreat_.held());
   watch.lap(report_.times.surgery);
+  return true;
 }
 
 EvolveReport Walk::run(long steps) {
-  keep_topology();
+  keep_topology(true);
   while (report_.steps < steps && report_.ending == Ending::step_limit) {
     if (!std::isfinite(motion_->bound()) && !size_.fixed) {
       report_.ending = Ending::converged;  // nothing in the scene can move

@@ -47,6 +47,7 @@ struct EvolveReport {
   long substeps = 0;  // as made
   long undone = 0;    // steps taken back and halved
   long upkeeps = 0;   // times that the mesh was made fit
+  long retreats = 0;  // times that films had passed through one another, and were taken back
   double smallest_dt = 0;
   double largest_dt = 0;
   double bound = 0;   // the last stability bound

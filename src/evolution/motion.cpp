@@ -125,6 +125,26 @@ void Motion::drift(double dt) {
   }
 }
 
+// Sets that are held together get their mean velocity, or none where one of their vertices stays.
+void Motion::stiffen() {
+  for (const std::vector<film::Vertex>& set : held_) {
+    Vec3 momentum;
+    double mass = 0;
+    bool stays = false;
+    for (const film::Vertex v : set) {
+      momentum += masses_[v.index] * next_v_[v.index];
+      mass += masses_[v.index];
+      stays = stays || weights_[v.index] == 0;
+    }
+    const Vec3 mean = stays || mass <= 0 ? Vec3{} : momentum / mass;
+    for (const film::Vertex v : set) {
+      const Vec3& velocity = next_v_[v.index];
+      damped_ += 0.5 * masses_[v.index] * (squared_length(velocity) - squared_length(mean));
+      next_v_[v.index] = mean;
+    }
+  }
+}
+
 // The velocities of the gradient flow.
 void Motion::descend(double dt) {
   const std::span<const energy::VertexLine> lines = terms_.lines();
@@ -253,6 +273,7 @@ bool Motion::propose(double dt) {
   } else {
     kick(method_ == Method::verlet ? 0.5 * dt : dt);
   }
+  stiffen();
   watch_.lap(times_.other);
   if (!errors_.empty() && paper_ == nullptr) impose_volumes(dt);
   watch_.lap(times_.volumes);

@@ -78,6 +78,9 @@ class Motion {
   solve::Ending step(double dt);
   // The largest step that the method survives by linear theory: the bound, or any.
   double largest_step() const { return is_implicit(method_) ? HUGE_VAL : bound_; }
+  // From the next step on each of these sets of vertices moves as one body; what velocities differ from the
+  // set's mean is lost. Pressures still act on each vertex, as volumes have to be kept.
+  void hold_together(std::vector<std::vector<film::Vertex>> sets) { held_ = std::move(sets); }
   // Copies positions, velocities and masses to the scene.
   void store();
 
@@ -96,6 +99,7 @@ class Motion {
   void kick(double dt);
   void drift(double dt);
   void descend(double dt);
+  void stiffen();
   bool second_kick(double dt);
   bool settle_velocities(double dt);
   bool implicit_step(double dt);
@@ -134,6 +138,7 @@ class Motion {
   std::vector<Vec3> v_;
   std::vector<Vec3> next_x_;
   std::vector<Vec3> next_v_;
+  std::vector<std::vector<film::Vertex>> held_;
   std::vector<Vec3> pushes_;  // accelerations by outer forces; empty without them
   std::vector<double> errors_;
   std::vector<double> multipliers_;

@@ -8,6 +8,7 @@
 #include "evolution/masses.h"
 #include "scene/constraint_sets.h"
 #include "surgery/sizing.h"
+#include "surgery/tangle.h"
 
 namespace lamella::evolution {
 
@@ -24,6 +25,7 @@ constexpr double look_after_tight = 0.01;
 constexpr double contact = 0.15;     // sheets nearer than this touch
 constexpr double list_margin = 0.5;  // of the list of near pairs
 constexpr double step_near = 0.05;   // the way in a step of sheets that are near one another
+constexpr double step_any = 0.25;    // and of any vertex: two cannot cross the margin of the list
 constexpr double hard_gap = 0.08;    // sheets that touch and cannot merge come no nearer
 // The velocities around a change of the mesh are scaled by no more than this, to keep the energy.
 constexpr double least_factor = 0.9;
@@ -140,7 +142,7 @@ bool TopologyKeeper::is_due(std::span<const Vec3> positions) const {
   return false;
 }
 
-bool TopologyKeeper::look(Scene& scene) {
+bool TopologyKeeper::look(Scene& scene, bool sound) {
   ++counts_.looks;
   Film& film = scene.film;
   if (film.periodic()) return false;
@@ -150,10 +152,25 @@ bool TopologyKeeper::look(Scene& scene) {
       proximity_.empty() ? std::vector<surgery::Contact>{} : proximity_.contacts(film, film.positions());
   bool changed = false;
   tight_ = false;
-  if (!contacts.empty() || surgery::needs_look(film, options_)) {
-    const Scene before = scene;
-    changed = apply(scene, contacts);
-    if (!changed) scene = before;
+  if (!contacts.empty() || surgery::needs_look(scene, options_)) {
+    // Where all that is due would make the film pass through itself, a part of it may not. The last try is to
+    // slow down what touches and nothing else.
+    surgery::TopologyOptions options = options_;
+    for (const auto& [changes, upkeep] :
+         {std::pair(true, true), {true, false}, {false, true}, {false, false}}) {
+      const Scene before = scene;
+      options.changes = changes;
+      options.upkeep = upkeep;
+      Pass pass = apply(scene, options, contacts);
+      if (pass.changed && (!sound || surgery::tangles(film).empty())) {
+        count(pass);
+        changed = true;
+        break;
+      }
+      scene = before;
+      if (!pass.changed) break;
+      ++counts_.refused;
+    }
   }
   seen_.assign(film.positions().begin(), film.positions().end());
   sizes_.resize(seen_.size());
@@ -161,9 +178,21 @@ bool TopologyKeeper::look(Scene& scene) {
   return changed;
 }
 
-// Surgery, and then everything that it leaves to be put right. False if nothing was done, or it is to be
+void TopologyKeeper::count(Pass& pass) {
+  const surgery::TopologyReport& report = pass.report;
+  if (!report.changed()) return;
+  ++counts_.passes;
+  counts_.splits += report.mesh.splits;
+  counts_.collapses += report.mesh.collapses;
+  counts_.flips += report.mesh.flips;
+  counts_.events += static_cast<long>(report.events.size());
+  events_.insert(events_.end(), report.events.begin(), report.events.end());
+}
+
+// Surgery, and then everything that it leaves to be put right. Where nothing is changed the scene is to be
 // thrown away.
-bool TopologyKeeper::apply(Scene& scene, std::span<const surgery::Contact> contacts) {
+TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::TopologyOptions& options,
+                                           std::span<const surgery::Contact> contacts) {
   Film& film = scene.film;
   film::Columns& columns = film.columns(ElementKind::vertex);
   if (film::Column* mass = columns.edit("mass")) mass->inheritance.on_merge = film::Inheritance::Merge::sum;
@@ -171,29 +200,28 @@ bool TopologyKeeper::apply(Scene& scene, std::span<const surgery::Contact> conta
     velocity->inheritance.on_merge = film::Inheritance::Merge::mean;
   const Balance before = balance(scene);
   double energy = potential_energy(scene) + before.kinetic;
-  surgery::TopologyReport report = surgery::keep_topology(scene, options_, contacts);
+  Pass pass;
+  surgery::TopologyReport& report = pass.report;
+  report = surgery::keep_topology(scene, options, contacts);
   tight_ = !report.refused.empty();
   const double moving = balance(scene).kinetic;
   const bool slowed = slow_down(scene, report.refused);
   if (slowed) energy += balance(scene).kinetic - moving;
-  if (!report.changed()) return slowed;
+  pass.changed = slowed;
+  if (!report.changed()) return pass;
   Touched touched(scene, compact_with_flags(film, report.touched));
   if (!put_right(scene)) {
     ++counts_.refused;
-    return false;
+    pass.changed = false;
+    return pass;
   }
   touched.spread_mass(before.mass);
   touched.restore_momentum(before.momentum);
   if (report.events.empty() && report.zips == 0)
     touched.add_kinetic(energy - potential_energy(scene) - touched.balance().kinetic);
   touched.store();
-  ++counts_.passes;
-  counts_.splits += report.mesh.splits;
-  counts_.collapses += report.mesh.collapses;
-  counts_.flips += report.mesh.flips;
-  counts_.events += static_cast<long>(report.events.size());
-  events_.insert(events_.end(), report.events.begin(), report.events.end());
-  return true;
+  pass.changed = true;
+  return pass;
 }
 
 // Sheets that touch and cannot merge lose the speed with which they approach, like bodies that collide
@@ -245,7 +273,14 @@ bool TopologyKeeper::slow_down(Scene& scene, std::span<const surgery::Contact> c
 double TopologyKeeper::longest_step(const Scene& scene, std::span<const Vec3> positions,
                                     std::span<const Vec3> velocities) const {
   double longest = HUGE_VAL;
-  if (!proximity_.belongs_to(scene.film) || sizes_.size() != positions.size()) return longest;
+  if (sizes_.size() != positions.size()) return longest;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const double squared = squared_length(velocities[v]);
+    if (longest == HUGE_VAL ? squared > 0
+                            : squared * longest * longest > step_any * step_any * sizes_[v] * sizes_[v])
+      longest = step_any * sizes_[v] / std::sqrt(squared);
+  }
+  if (!proximity_.belongs_to(scene.film)) return longest;
   for (const surgery::NearPair& pair : proximity_.pairs()) {
     for (const Vertex corner : scene.film.corners(pair.facet)) {
       const double speed = length(velocities[pair.vertex.index] - velocities[corner.index]);

@@ -33,10 +33,12 @@ class TopologyKeeper {
   // A look at a compact film with the vertex columns "velocity" and "mass". Makes what is due: the mesh, the
   // topology, the regions; volumes are restored by positions alone, total mass and (where no vertex is
   // fixed) momentum stay exactly; energy lost or won by the mesh is given back to the velocities around.
-  // Returns whether the film changed; it is compact again.
-  bool look(scene::Scene& scene);
+  // Of a film that is `sound`, nothing is changed that would make it pass through itself. Returns whether the
+  // film or its velocities changed; it is compact again.
+  bool look(scene::Scene& scene, bool sound);
 
-  // The longest step that moves sheets that are near one another by no more than a part of the gap allowed.
+  // The longest step that moves sheets that are near one another by no more than a part of the gap allowed,
+  // and any vertex by no more than a part of its mesh's size.
   double longest_step(const scene::Scene& scene, std::span<const Vec3> positions,
                       std::span<const Vec3> velocities) const;
 
@@ -45,7 +47,13 @@ class TopologyKeeper {
   std::vector<surgery::Event> take_events() { return std::move(events_); }
 
  private:
-  bool apply(scene::Scene& scene, std::span<const surgery::Contact> contacts);
+  struct Pass {
+    bool changed = false;
+    surgery::TopologyReport report;
+  };
+  Pass apply(scene::Scene& scene, const surgery::TopologyOptions& options,
+             std::span<const surgery::Contact> contacts);
+  void count(Pass& pass);
   bool slow_down(scene::Scene& scene, std::span<const surgery::Contact> contacts);
 
   surgery::TopologyOptions options_;

@@ -69,9 +69,17 @@ class FacetTree {
 
 }  // namespace
 
+FacetShape shape_of(const Film& film, Triangle t) {
+  return {film.corners(t), film.points(t)};
+}
+
 bool facets_cross(const Film& film, Triangle a, Triangle b) {
-  const auto& ca = film.corners(a);
-  const auto& cb = film.corners(b);
+  return shapes_cross(shape_of(film, a), shape_of(film, b));
+}
+
+bool shapes_cross(const FacetShape& a, const FacetShape& b) {
+  const auto& [ca, pa] = a;
+  const auto& [cb, pb] = b;
   std::array<std::pair<std::size_t, std::size_t>, 3> shared;
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -79,8 +87,6 @@ bool facets_cross(const Film& film, Triangle a, Triangle b) {
       if (ca[i] == cb[k]) shared[count++] = {i, k};
     }
   }
-  const Points pa = film.points(a);
-  const Points pb = film.points(b);
   if (count == 0) return crosses_any_edge(pa, pb) || crosses_any_edge(pb, pa);
   if (count == 1)
     return cross_beyond_corner(from_corner(pa, shared[0].first), from_corner(pb, shared[0].second));

@@ -51,6 +51,8 @@ std::string_view describe(Ending ending) {
       return "the volumes cannot be brought to their targets";
     case Ending::collapsed:
       return "no equilibrium found: the film collapses";
+    case Ending::tangled:
+      return "films would pass through one another, however small the steps";
     case Ending::constraint_lost:
       return "vertices cannot be brought onto their constraints";
   }

@@ -24,6 +24,7 @@ enum class Ending {
   volume_lost,      // the volumes could not be brought to their targets
   collapsed,        // facets shrink to nothing, as where a neck pinches
   constraint_lost,  // vertices could not be put onto their constraints
+  tangled,          // films would pass through one another, however small the steps
 };
 
 std::string_view describe(Ending ending);

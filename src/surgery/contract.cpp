@@ -97,7 +97,8 @@ bool Contractor::vanishes_with_volume() const {
   for (const Region r : regions_at(film_, star_)) {
     const bool stays = std::any_of(link_.sectors.begin(), link_.sectors.end(),
                                    [&](const Link::Sector& sector) { return sector.region == r; });
-    if (!stays && !r.outside() && scene_.body(r).fixed_volume() && *scene_.body(r).target_volume > 0)
+    if (!stays && !r.outside() && r != options_.vanishes && scene_.body(r).fixed_volume() &&
+        *scene_.body(r).target_volume > 0)
       return true;
   }
   return false;

@@ -19,6 +19,8 @@ struct ContractOptions {
   double size = 0;     // the length of edges aimed at around here
   double gain = 1e-3;  // least energy to be won, in units of tension times size^2; may be -infinity
   std::optional<Move> only = {};  // no other move
+  // May be gone afterwards although it has a target volume; another may not.
+  film::Region vanishes = film::outside_region;
 };
 
 struct Contraction {

@@ -9,6 +9,7 @@
 #include "surgery/pop.h"
 #include "surgery/regions.h"
 #include "surgery/sizing.h"
+#include "surgery/vanish.h"
 #include "surgery/wedge.h"
 #include "surgery/zip.h"
 
@@ -26,15 +27,49 @@ constexpr int most_merges = 4;
 constexpr int most_refusals = 6;
 constexpr int rounds_after_changes = 1;  // of the mesh
 
+// Free vertices where lines meet as they do in no film: an edge of more than three films, or ends of lines
+// whose link is illegal.
+std::vector<Vertex> places_to_pop(const Scene& scene) {
+  const Film& film = scene.film;
+  struct Lines {
+    int count = 0;
+    int least = 0;
+    int most = 0;
+  };
+  std::vector<Lines> lines(film.vertex_rows());
+  for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
+    const int valence = film.alive(Edge(i)) ? film.valence(Edge(i)) : 2;
+    if (valence == 2) continue;
+    for (const Vertex v : film.ends(Edge(i))) {
+      Lines& at = lines[v.index];
+      at.least = at.count == 0 ? valence : std::min(at.least, valence);
+      at.most = std::max(at.most, valence);
+      ++at.count;
+    }
+  }
+  std::vector<Vertex> found;
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    const Lines& at = lines[i];
+    const Vertex v(i);
+    const bool plain = at.count == 0 || (at.count == 2 && at.least == at.most && at.most <= 3);
+    if (!plain && is_free(scene, v) && kind_of(link_of(film, v)) == LinkKind::illegal) found.push_back(v);
+  }
+  return found;
+}
+
 class Keeper {
  public:
   Keeper(Scene& scene, const TopologyOptions& options)
       : scene_(scene), film_(scene.film), options_(options) {}
 
   TopologyReport run(std::span<const Contact> contacts) {
-    close_wedges();
+    if (options_.changes) {
+      vanish();
+      close_wedges();
+    }
+    refuse_wedges();
     merge_contacts(contacts);
-    add(remesh(scene_, options_.mesh));
+    if (options_.upkeep) add(remesh(scene_, options_.mesh));
     if (options_.changes) resolve(report_.mesh.stuck);
     if (!report_.events.empty()) finish();
     return std::move(report_);
@@ -50,6 +85,7 @@ class Keeper {
     all.moved += more.moved;
     all.stuck = std::move(more.stuck);
   }
+  void vanish();
   void close_wedges();
   void refuse_wedges();
   void merge_contacts(std::span<const Contact> contacts);
@@ -65,6 +101,13 @@ class Keeper {
   std::vector<Vertex> odd_;  // perhaps illegal
   int commits_ = 0;
 };
+
+void Keeper::vanish() {
+  Vanished done = vanish_small_parts(scene_);
+  for (Event& event : done.events) report_.events.push_back(std::move(event));
+  report_.touched.insert(report_.touched.end(), done.touched.begin(), done.touched.end());
+  odd_.insert(odd_.end(), done.touched.begin(), done.touched.end());
+}
 
 // Narrowest first; each vertex once a pass.
 void Keeper::close_wedges() {
@@ -86,7 +129,6 @@ void Keeper::close_wedges() {
       report_.touched.insert(report_.touched.end(), done->touched.begin(), done->touched.end());
     }
   }
-  refuse_wedges();
 }
 
 // What stayed narrow must not close: its films are told of as contacts that could not be merged.
@@ -158,6 +200,7 @@ void Keeper::resolve(const std::vector<std::vector<Vertex>>& clusters) {
     const double size = size_of(film_, cluster[0]);
     if (const auto done = contract(scene_, cluster, {.size = size, .gain = options_.gain})) note(*done);
   }
+  for (const Vertex v : places_to_pop(scene_)) odd_.push_back(v);
   pop_around();
 }
 
@@ -186,17 +229,18 @@ void Keeper::finish() {
     if (film_.alive(v)) vertices.push_back(v);
   }
   settle_regions(scene_, report_.events, facets_at(film_, vertices));
-  add(remesh(scene_, once));
+  if (options_.upkeep) add(remesh(scene_, once));
 }
 
 }  // namespace
 
-bool needs_look(const Film& film, const TopologyOptions& options) {
+bool needs_look(const Scene& scene, const TopologyOptions& options) {
+  const Film& film = scene.film;
   if (needs_remesh(film, film.positions(), options.mesh)) return true;
   for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
     if (narrowest_wedge(film, Edge(i)) < options.narrow_wedge) return true;
   }
-  return false;
+  return has_small_parts(scene) || !places_to_pop(scene).empty();
 }
 
 TopologyReport keep_topology(Scene& scene, const TopologyOptions& options,

@@ -11,7 +11,8 @@ namespace lamella::surgery {
 
 struct TopologyOptions {
   RemeshOptions mesh;
-  bool changes = true;                                 // of topology; else the mesh alone
+  bool changes = true;  // of topology
+  bool upkeep = true;   // of the mesh; what stands in its way is not looked for without
   double narrow_wedge = 25 * 3.141592653589793 / 180;  // films at a border that are nearer are zipped up
   double gain = 1e-3;  // least energy that an automatic change must win, in units of tension times size^2
 };
@@ -28,7 +29,7 @@ struct TopologyReport {
 };
 
 // Whether a look at the mesh alone says that something is due.
-bool needs_look(const film::Film& film, const TopologyOptions& options);
+bool needs_look(const scene::Scene& scene, const TopologyOptions& options);
 
 // The film keeps tombstones and rows; regions are brought up to date. Where nothing is reported the film is
 // as it was, to the bit. Rounds and commits are bounded; what is left waits for the next pass.

@@ -200,6 +200,14 @@ void settle_regions(Scene& scene, std::vector<Event>& events, std::span<const Tr
   for (const Event& event : events)
     concerned.insert(concerned.end(), event.regions.begin(), event.regions.end());
   std::vector<Event> more = settle_regions(scene, touched, concerned);
+  // What vanished by itself has been told.
+  std::erase_if(more, [&](const Event& event) {
+    return event.kind == EventKind::vanish &&
+           std::any_of(events.begin(), events.end(), [&](const Event& told) {
+             return told.kind == EventKind::vanish && std::find(told.regions.begin(), told.regions.end(),
+                                                                event.regions[0]) != told.regions.end();
+           });
+  });
   events.insert(events.end(), more.begin(), more.end());
 }
 

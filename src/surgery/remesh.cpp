@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "film/crossing_grid.h"
 #include "scene/constraint_sets.h"
 #include "surgery/equiangulate.h"
 #include "surgery/feature.h"
@@ -36,6 +37,7 @@ constexpr double border_coming_together = 0.35;
 constexpr int flip_passes = 3;
 // Where films at a border are nearer than this (radians), vertices stay on their facets.
 constexpr double tight_wedge = 40 * M_PI / 180;
+constexpr double rim_passed = 0.2;    // the altitude, in sizes, of facets that a free rim takes back
 constexpr double room_to_grow = 0.9;  // of the longest edge, for one that a collapse makes
 
 double edge_length(const Film& film, Edge e) {
@@ -92,12 +94,21 @@ class Remesher {
   void mend_slivers();
   void flip();
   bool flip_edge(Edge e, double slack);
+  bool retract(Triangle t);
   void even_out();
+  Vertex divide(Edge e);
+  bool may_move(Vertex v, const Vec3& to);
+  // Made when it is first asked for: most passes have nothing to do.
+  film::CrossingGrid& grid() {
+    if (!grid_) grid_.emplace(film_);
+    return *grid_;
+  }
 
   Scene& scene_;
   Film& film_;
   RemeshOptions options_;
   RemeshReport report_;
+  std::optional<film::CrossingGrid> grid_;
 };
 
 template <class Wanted>
@@ -111,6 +122,30 @@ std::vector<Remesher::Ranked> Remesher::edges_where(Wanted wanted) const {
   return list;
 }
 
+// Off the chord, where the film curves, unless that leads through another film.
+Vertex Remesher::divide(Edge e) {
+  const std::vector<Triangle> around = facets_around(film_, e);
+  const Vec3 place = smooth_middle(scene_, e);
+  const Vertex made(film_.vertex_rows());
+  std::vector<film::FacetShape> shapes;
+  for (const Triangle t : around) {
+    const film::FacetShape whole = film::shape_of(film_, t);
+    for (const Vertex end : film_.ends(e)) {
+      film::FacetShape half = whole;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (half.corners[k] != end) continue;
+        half.corners[k] = made;
+        half.points[k] = place;
+      }
+      shapes.push_back(half);
+    }
+  }
+  const bool straight = has_narrow_wedge(film_, around, tight_wedge) || grid().crosses(shapes, around);
+  const Vertex v = straight ? split_edge(film_, e) : split_edge(film_, e, place);
+  grid().add_around(v);
+  return v;
+}
+
 void Remesher::divide_long() {
   std::vector<Ranked> list = edges_where([&](double relative) { return relative > options_.longest; });
   std::sort(list.begin(), list.end(), [](const Ranked& a, const Ranked& b) { return a.rank > b.rank; });
@@ -118,9 +153,7 @@ void Remesher::divide_long() {
   for (const Ranked& each : list) {
     const Edge e = each.edge;
     if (is_fixed(film_, film::ElementKind::edge, e.index) && !film_.first_side(e).valid()) continue;
-    const std::vector<Triangle> around = facets_around(film_, e);
-    const bool tight = has_narrow_wedge(film_, around, tight_wedge);
-    const Vertex made = tight ? split_edge(film_, e) : split_edge(film_, e, smooth_middle(scene_, e));
+    const Vertex made = divide(e);
     ++report_.splits;
     touch(made);
     film_.for_each_end(made, [&](EdgeEnd end) { touch(film_.head(end.outward())); });
@@ -131,7 +164,7 @@ void Remesher::divide_long() {
 
 bool Remesher::collapse(Edge e) {
   const double size = size_of(film_, e);
-  const Shrink shrink = shrink_edge(scene_, e, room_to_grow * options_.longest * size);
+  const Shrink shrink = shrink_edge(scene_, e, room_to_grow * options_.longest * size, &grid());
   if (shrink.outcome == ShrinkOutcome::topology) {
     const double most = shrink.cluster.size() == 2 ? border_coming_together : coming_together;
     const Vec3 at = film_.position(shrink.cluster[0]);
@@ -154,12 +187,35 @@ void Remesher::collapse_short() {
   }
 }
 
+// A facet that its film's free rim has nearly passed by: two of its sides are rims, and it is low.
+bool Remesher::retract(Triangle t) {
+  const auto& corners = film_.corners(t);
+  const auto& sides = film_.edges(t);
+  const auto is_rim = [&](SignedEdge e) {
+    const Side first = film_.first_side(e.edge());
+    return film_.next_around(first) == first && !is_fixed(film_, film::ElementKind::edge, e.edge().index) &&
+           scene::boundary_of(scene_, film::ElementKind::edge, e.edge().index) == 0;
+  };
+  if (std::count_if(sides.begin(), sides.end(), is_rim) < 2) return false;
+  const auto points = film_.points(t);
+  const double low = length(cross(points[1] - points[0], points[2] - points[0]));
+  double longest = 0;
+  for (const SignedEdge e : sides) longest = std::max(longest, edge_length(film_, e.edge()));
+  if (low > rim_passed * size_of(film_, corners[0]) * longest) return false;
+  const std::array<Vertex, 3> around = corners;
+  replace(film_, {{t}, {}});
+  for (const Vertex v : around) touch(v);
+  ++report_.collapses;
+  return true;
+}
+
 // A flat triangle is flipped over its longest side, or its shortest collapses.
 void Remesher::mend_slivers() {
   const std::uint32_t rows = film_.triangle_rows();
   for (std::uint32_t i = 0; i < rows; ++i) {
     const Triangle t(i);
-    if (!film_.alive(t) || relative_altitude(film_.points(t)) > options_.sliver) continue;
+    if (!film_.alive(t) || retract(t)) continue;
+    if (relative_altitude(film_.points(t)) > options_.sliver) continue;
     std::array<Edge, 3> sides;
     for (std::size_t k = 0; k < 3; ++k) sides[k] = film_.edges(t)[k].edge();
     std::sort(sides.begin(), sides.end(),
@@ -185,7 +241,15 @@ bool Remesher::flip_edge(Edge e, double slack) {
       options_.longest * size_of(film_, e))
     return false;
   if (has_narrow_wedge(film_, facets_around(film_, e), tight_wedge)) return false;
+  const Vec3 p = film_.position(diagonal->p);
+  const Vec3 q = film_.position(diagonal->q);
+  const Vec3 r = film_.position(diagonal->r);
+  const Vec3 w = film_.position(diagonal->w);
+  const std::array<film::FacetShape, 2> made{{{{diagonal->p, diagonal->r, diagonal->w}, {p, r, w}},
+                                              {{diagonal->q, diagonal->w, diagonal->r}, {q, w, r}}}};
+  if (grid().crosses(made, facets_around(film_, e))) return false;
   surgery::flip(film_, *diagonal);
+  grid().add_around(diagonal->r);
   ++report_.flips;
   for (const Vertex v : {diagonal->p, diagonal->q, diagonal->r, diagonal->w}) touch(v);
   return true;
@@ -214,9 +278,24 @@ void Remesher::even_out() {
     moves.emplace_back(v, averaging_move(film_, v, Averaging::keep_volume));
   }
   for (const auto& [v, move] : moves) {
+    if (!may_move(v, film_.position(v) + move)) continue;
     film_.move(v, film_.position(v) + move);
+    grid().add_around(v);
     ++report_.moved;
   }
+}
+
+bool Remesher::may_move(Vertex v, const Vec3& to) {
+  const std::vector<Triangle> star = facets_at(film_, std::span(&v, 1));
+  std::vector<film::FacetShape> shapes;
+  for (const Triangle t : star) {
+    film::FacetShape shape = film::shape_of(film_, t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (shape.corners[k] == v) shape.points[k] = to;
+    }
+    shapes.push_back(shape);
+  }
+  return !grid().crosses(shapes, star);
 }
 
 }  // namespace

@@ -44,11 +44,12 @@ Shape shape_of(const std::array<Vec3, 3>& p) {
 
 class Shrinker {
  public:
-  Shrinker(Scene& scene, Edge e, double longest)
+  Shrinker(Scene& scene, Edge e, double longest, film::CrossingGrid* grid)
       : scene_(scene),
         film_(scene.film),
         edge_(e),
         longest_(longest),
+        grid_(grid),
         tail_(film_.ends(e)[0]),
         head_(film_.ends(e)[1]) {}
 
@@ -57,7 +58,7 @@ class Shrinker {
     if (!rank(result) || !linked_well(result)) return result;
     place();
     result.outcome = ShrinkOutcome::geometry;
-    if (!keeps_shape() || !keeps_order()) return result;
+    if (!keeps_shape() || !keeps_order() || !keeps_clear()) return result;
     result.outcome = ShrinkOutcome::held;
     const Vec3 velocity = common_velocity();
     if (collapse_edge(scene_, edge_) != Collapse::done) return result;
@@ -65,6 +66,7 @@ class Shrinker {
     result.kept = film_.alive(tail_) ? tail_ : head_;
     set_velocity(result.kept, velocity);
     if (is_free_to_place_) film_.move(result.kept, target_);
+    if (grid_ != nullptr) grid_->add_around(result.kept);
     return result;
   }
 
@@ -75,6 +77,7 @@ class Shrinker {
   void keep_volumes();
   bool keeps_shape() const;
   bool keeps_order() const;
+  bool keeps_clear() const;
   bool stays_in_order(Edge e) const;
   Vec3 place_of(Vertex v) const { return v == tail_ || v == head_ ? target_ : film_.position(v); }
   Vec3 common_velocity() const;
@@ -86,6 +89,7 @@ class Shrinker {
   Film& film_;
   Edge edge_;
   double longest_;
+  film::CrossingGrid* grid_;
   Vertex tail_;
   Vertex head_;
   Rank tail_rank_ = Rank::sheet;
@@ -235,6 +239,18 @@ bool Shrinker::keeps_order() const {
   });
 }
 
+bool Shrinker::keeps_clear() const {
+  if (grid_ == nullptr) return true;
+  std::vector<film::FacetShape> shapes;
+  for (const Triangle t : around_) {
+    if (is_flap(t)) continue;
+    film::FacetShape shape{film_.corners(t), moved(t)};
+    std::replace(shape.corners.begin(), shape.corners.end(), head_, tail_);
+    shapes.push_back(shape);
+  }
+  return !grid_->crosses(shapes, around_);
+}
+
 // Of a film in motion: that of both ends together, as bodies that collide and stick.
 Vec3 Shrinker::common_velocity() const {
   const auto velocities = film_.columns(film::ElementKind::vertex).reals("velocity");
@@ -286,8 +302,8 @@ bool Shrinker::keeps_shape() const {
 
 }  // namespace
 
-Shrink shrink_edge(Scene& scene, Edge e, double longest) {
-  return Shrinker(scene, e, longest).run();
+Shrink shrink_edge(Scene& scene, Edge e, double longest, film::CrossingGrid* grid) {
+  return Shrinker(scene, e, longest, grid).run();
 }
 
 }  // namespace lamella::surgery

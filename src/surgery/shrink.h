@@ -2,12 +2,13 @@
 //
 // pick: one edge. rank: which end may vanish (surgery/feature.h). check: the link condition (every vertex
 // that both ends have as neighbour spans a facet with the edge, and no two lines become one), no facet turned
-// by more than 60 degrees, no new sliver, no edge too long. commit: collapse_edge, the vertex that stays
-// placed on the smooth film so that volumes are kept.
+// by more than 60 degrees, no new sliver, no edge too long, nothing that passes through the film. commit:
+// collapse_edge, the vertex that stays placed on the smooth film so that volumes are kept.
 #pragma once
 
 #include <vector>
 
+#include "film/crossing_grid.h"
 #include "scene/scene.h"
 
 namespace lamella::surgery {
@@ -25,7 +26,7 @@ struct Shrink {
   std::vector<film::Vertex> cluster;  // where it is topology that refuses: what would come together
 };
 
-// No new edge is longer than `longest`.
-Shrink shrink_edge(scene::Scene& scene, film::Edge e, double longest);
+// No new edge is longer than `longest`. Without a grid nothing is tested for passing through the film.
+Shrink shrink_edge(scene::Scene& scene, film::Edge e, double longest, film::CrossingGrid* grid = nullptr);
 
 }  // namespace lamella::surgery

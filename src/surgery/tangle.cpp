@@ -1,0 +1,101 @@
+#include "surgery/tangle.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "film/crossing_grid.h"
+#include "surgery/wedge.h"
+
+namespace lamella::surgery {
+
+using film::Edge;
+using film::EdgeEnd;
+using film::Film;
+using film::Side;
+using film::Triangle;
+using film::Vec3;
+using film::Vertex;
+
+namespace {
+
+constexpr std::size_t most_met = 8;  // that one facet passes through
+
+bool is_out_of_order(const Film& film, Edge e) {
+  if (film.valence(e) < 3) return false;
+  std::vector<Vec3> directions;
+  film.for_each_side(e, [&](Side s) { directions.push_back(across(film, s)); });
+  return !turns_once(unit(film.vector(e)), directions, 0);
+}
+
+class Union {
+ public:
+  explicit Union(std::uint32_t rows) : parent_(rows) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  std::uint32_t find(std::uint32_t v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+  void join(const Tangle& vertices) {
+    for (const Vertex v : vertices) parent_[find(v.index)] = find(vertices[0].index);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace
+
+std::vector<Tangle> united(const Film& film, const std::vector<Tangle>& parts) {
+  if (parts.empty()) return {};
+  Union sets(film.vertex_rows());
+  for (const Tangle& part : parts) sets.join(part);
+  std::map<std::uint32_t, Tangle> whole;
+  for (const Tangle& part : parts) {
+    Tangle& into = whole[sets.find(part[0].index)];
+    into.insert(into.end(), part.begin(), part.end());
+  }
+  std::vector<Tangle> result;
+  for (auto& [root, vertices] : whole) {
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    result.push_back(std::move(vertices));
+  }
+  return result;
+}
+
+std::vector<Tangle> tangles(const Film& film) {
+  std::vector<Tangle> parts;
+  for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
+    const Edge e(i);
+    if (!film.alive(e) || !is_out_of_order(film, e)) continue;
+    Tangle part(film.ends(e).begin(), film.ends(e).end());
+    film.for_each_side(e, [&](Side s) { part.push_back(film.opposite(s)); });
+    parts.push_back(std::move(part));
+  }
+  const film::CrossingGrid grid(film);
+  for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
+    const Triangle t(i);
+    if (!film.alive(t)) continue;
+    for (const Triangle other : grid.crossing(t, most_met)) {
+      if (other < t) continue;
+      Tangle part(film.corners(t).begin(), film.corners(t).end());
+      part.insert(part.end(), film.corners(other).begin(), film.corners(other).end());
+      parts.push_back(std::move(part));
+    }
+  }
+  return united(film, parts);
+}
+
+Tangle grown(const Film& film, const Tangle& tangle, int rings) {
+  Tangle all = tangle;
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::size_t count = all.size();
+    for (std::size_t i = 0; i < count; ++i)
+      film.for_each_end(all[i], [&](EdgeEnd end) { all.push_back(film.head(end.outward())); });
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  }
+  return all;
+}
+
+}  // namespace lamella::surgery
