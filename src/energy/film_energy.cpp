@@ -83,8 +83,7 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
       constrained_(constrained_regions(scene)),
       pressurised_(pressurised_regions(scene)),
       pressure_gradient_(scene.film, rows_of(pressurised_, volumes_.size()),
-                         static_cast<int>(pressurised_.size()), {}, content_edges_,
-                         scene.edge_integral_order) {
+                         static_cast<int>(pressurised_.size()), content_edges_, scene.edge_integral_order) {
   const film::Connectivity& complex = scene_.film.connectivity();
   input_.triangles = unfolding_.empty() ? complex.triangle_vertices : unfolding_.triangles();
   input_.regions = complex.triangle_regions;
@@ -96,7 +95,7 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
   collect_quantities(scene);
   held_values_.resize(constrained_.size() + fixed_.size());
   constrained_gradient_ = VolumeGradient(scene.film, rows_of(constrained_, volumes_.size()),
-                                         static_cast<int>(held_values_.size()), constraints_, content_edges_,
+                                         static_cast<int>(held_values_.size()), content_edges_,
                                          scene.edge_integral_order, fixed_rows());
   if (scene.film.periodic()) whole_cells_ = whole_cells(scene, unfolding_);
 }

@@ -16,9 +16,17 @@ namespace {
 // A vertex this near to a one-sided level, in units of the gradient's length, is on it.
 constexpr double touching = 1e-12;
 
-bool beyond_or_on(const LevelSet& set, const scene::Level& level) {
+// Whether a level holds a vertex at which it has this value and gradient, pushed by `force` (null: however).
+bool holds_there(const LevelSet& set, const scene::Level& level, const Vec3* force) {
+  if (set.sense == Sense::equal) return true;
+  const double inward = set.sense == Sense::nonnegative ? 1 : -1;
   const double tolerance = touching * (1 + length(level.gradient));
-  return set.sense == Sense::nonnegative ? level.value <= tolerance : level.value >= -tolerance;
+  if (inward * level.value > tolerance) return false;
+  return force == nullptr || inward * dot(*force, level.gradient) <= 0;
+}
+
+bool violated(const LevelSet& set, double value) {
+  return set.sense == Sense::equal || (set.sense == Sense::nonnegative ? value < 0 : value > 0);
 }
 
 }  // namespace
@@ -30,6 +38,7 @@ VertexConstraints::VertexConstraints(const scene::Scene& scene) {
   const std::uint32_t vertices = scene.film.vertex_rows();
   index_.assign(vertices, none);
   const auto fixed = scene.film.columns(ElementKind::vertex).flags("fixed");
+  std::vector<std::pair<int, std::uint32_t>> singles;
   for (std::uint32_t v = 0; v < vertices; ++v) {
     Held held;
     held.vertex = v;
@@ -43,18 +52,36 @@ VertexConstraints::VertexConstraints(const scene::Scene& scene) {
         const auto at = scene.level_sets.find(std::abs(number));
         if (at == scene.level_sets.end()) continue;
         held.level_sets.push_back(at->first);
-        one_sided_ = one_sided_ || at->second.sense != Sense::equal;
       }
     }
     if (held.boundary == 0 && held.level_sets.empty()) continue;
+    if (held.level_sets.size() == 1 && !held.fixed &&
+        scene.level_sets.at(held.level_sets[0]).formula.attributes().empty()) {
+      singles.emplace_back(held.level_sets[0], v);
+      continue;
+    }
     index_[v] = static_cast<std::uint32_t>(held_.size());
     held_.push_back(std::move(held));
   }
+  add_groups(singles);
   scene_.film.edit_position_rows() = {};
   for (const auto& [number, set] : scene_.level_sets) moves_ = moves_ || set.formula.depends_on_time();
   for (const auto& [number, boundary] : scene_.boundaries) {
     for (const language::Formula& formula : boundary.position) moves_ = moves_ || formula.depends_on_time();
   }
+}
+
+void VertexConstraints::add_groups(std::vector<std::pair<int, std::uint32_t>>& singles) {
+  std::stable_sort(singles.begin(), singles.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [number, vertex] : singles) {
+    if (groups_.empty() || groups_.back().number != number)
+      groups_.push_back({number, single_vertices_.size(), single_vertices_.size()});
+    index_[vertex] = static_cast<std::uint32_t>(held_.size() + single_vertices_.size());
+    single_vertices_.push_back(vertex);
+    ++groups_.back().end;
+  }
+  single_normals_.resize(single_vertices_.size());
 }
 
 void VertexConstraints::renew_levels(Held& held, const Vec3& at, const Vec3* force) {
@@ -63,11 +90,8 @@ void VertexConstraints::renew_levels(Held& held, const Vec3& at, const Vec3* for
     if (held.count == 3) break;
     const LevelSet& set = scene_.level_sets.at(number);
     const scene::Level level = scene::level_at(scene_, set, at, held.vertex);
-    if (set.sense != Sense::equal) {
-      if (!beyond_or_on(set, level)) continue;
-      const double outward = set.sense == Sense::nonnegative ? -1 : 1;
-      if (force != nullptr && outward * dot(*force, level.gradient) < 0) continue;
-    }
+    if (!holds_there(set, level, force)) continue;
+    touched_ = touched_ || set.sense != Sense::equal;
     held.active[static_cast<std::size_t>(held.count)] = number;
     held.directions[static_cast<std::size_t>(held.count++)] = level.gradient;
   }
@@ -84,7 +108,43 @@ void VertexConstraints::renew_boundary(Held& held, const Vec3& at) {
       scene::orthonormalise(std::span(held.directions.data(), static_cast<std::size_t>(boundary.parameters)));
 }
 
+// Calls function(first, count, points) for up to `lane_count` vertices at a time; lanes without a vertex
+// repeat the last one.
+template <class Function>
+void VertexConstraints::for_each_block(const Group& group, std::span<const Vec3> x,
+                                       Function&& function) const {
+  constexpr std::size_t lanes = language::lane_count;
+  for (std::size_t first = group.begin; first < group.end; first += lanes) {
+    const std::size_t count = std::min(lanes, group.end - first);
+    Points points;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const Vec3& at = x[single_vertices_[first + std::min(i, count - 1)]];
+      points[0][i] = at.x;
+      points[1][i] = at.y;
+      points[2][i] = at.z;
+    }
+    function(first, count, points);
+  }
+}
+
+void VertexConstraints::renew(const Group& group, std::span<const Vec3> x, std::span<const Vec3> force) {
+  const LevelSet& set = scene_.level_sets.at(group.number);
+  for_each_block(group, x, [&](std::size_t first, std::size_t count, const Points& points) {
+    const language::First<language::Lanes> levels = set.formula.gradients(points, scene_.time);
+    for (std::size_t i = 0; i < count; ++i) {
+      const scene::Level level{levels.value[i],
+                               {levels.gradient[0][i], levels.gradient[1][i], levels.gradient[2][i]}};
+      const Vec3* const push = force.empty() ? nullptr : &force[single_vertices_[first + i]];
+      const bool holds = holds_there(set, level, push) && squared_length(level.gradient) > 0;
+      single_normals_[first + i] = holds ? unit(level.gradient) : Vec3{};
+      touched_ = touched_ || (holds && set.sense != Sense::equal);
+    }
+  });
+}
+
 void VertexConstraints::renew(std::span<const Vec3> x, std::span<const Vec3> force) {
+  touched_ = false;
+  for (const Group& group : groups_) renew(group, x, force);
   for (Held& held : held_) {
     if (held.boundary != 0) {
       renew_boundary(held, x[held.vertex]);
@@ -104,55 +164,84 @@ Vec3 VertexConstraints::restricted_by(const Held& held, const Vec3& vector) {
 }
 
 void VertexConstraints::restrict(std::span<Vec3> field) const {
+  for (std::size_t i = 0; i < single_vertices_.size(); ++i) {
+    Vec3& at = field[single_vertices_[i]];
+    at -= dot(at, single_normals_[i]) * single_normals_[i];
+  }
   for (const Held& held : held_) field[held.vertex] = restricted_by(held, field[held.vertex]);
 }
 
+int VertexConstraints::forbidden(std::uint32_t row, std::array<Vec3, 3>& directions) const {
+  if (row < held_.size()) {
+    directions = held_[row].directions;
+    return held_[row].count;
+  }
+  directions[0] = single_normals_[row - held_.size()];
+  return squared_length(directions[0]) > 0 ? 1 : 0;
+}
+
 int VertexConstraints::allowed(std::uint32_t vertex, std::array<Vec3, 3>& directions) const {
-  const Held& held = held_[index_[vertex]];
-  if (held.boundary != 0) {
-    directions = held.directions;
-    return held.count;
+  const std::uint32_t row = index_[vertex];
+  if (row < held_.size() && held_[row].boundary != 0) {
+    directions = held_[row].directions;
+    return held_[row].count;
   }
   // What is left of the axes when the forbidden directions are taken out.
+  std::array<Vec3, 3> taken;
+  const int taken_count = forbidden(row, taken);
   std::array<Vec3, 6> all;
-  for (int i = 0; i < held.count; ++i)
-    all[static_cast<std::size_t>(i)] = held.directions[static_cast<std::size_t>(i)];
+  std::copy(taken.begin(), taken.end(), all.begin());
   const std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   int count = 0;
   for (const Vec3& axis : axes) {
-    if (count == 3 - held.count) break;
+    if (count == 3 - taken_count) break;
     Vec3 v = axis;
-    for (int i = 0; i < held.count + count; ++i)
+    for (int i = 0; i < taken_count + count; ++i)
       v -= dot(v, all[static_cast<std::size_t>(i)]) * all[static_cast<std::size_t>(i)];
     if (length(v) < 0.5) continue;  // the others are nearer to what is left
-    all[static_cast<std::size_t>(held.count + count)] = directions[static_cast<std::size_t>(count)] = unit(v);
+    all[static_cast<std::size_t>(taken_count + count)] = directions[static_cast<std::size_t>(count)] =
+        unit(v);
     ++count;
   }
   return count;
 }
 
+const VertexConstraints::Group& VertexConstraints::group_of(std::size_t single) const {
+  const auto after = std::upper_bound(groups_.begin(), groups_.end(), single,
+                                      [](std::size_t row, const Group& group) { return row < group.end; });
+  return *after;
+}
+
 film::Mat3 VertexConstraints::curvature(std::uint32_t vertex, const Vec3& at, const Vec3& force) const {
-  const Held& held = held_[index_[vertex]];
-  return held.boundary != 0 ? boundary_curvature(held, force) : level_curvature(held, at, force);
+  const std::uint32_t row = index_[vertex];
+  if (row < held_.size()) {
+    const Held& held = held_[row];
+    if (held.boundary != 0) return boundary_curvature(held, force);
+    return level_curvature(vertex, std::span(held.active.data(), static_cast<std::size_t>(held.active_count)),
+                           at, force);
+  }
+  const std::size_t single = row - held_.size();
+  if (squared_length(single_normals_[single]) == 0) return {};
+  return level_curvature(vertex, std::array{group_of(single).number}, at, force);
 }
 
 // The force across is a sum of gradients; each level's share times its Hessian.
-film::Mat3 VertexConstraints::level_curvature(const Held& held, const Vec3& at, const Vec3& force) const {
+film::Mat3 VertexConstraints::level_curvature(std::uint32_t vertex, std::span<const int> active,
+                                              const Vec3& at, const Vec3& force) const {
   std::array<Vec3, 3> gradients;
   std::array<film::Mat3, 3> hessians;
-  const auto count = static_cast<std::size_t>(held.active_count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const scene::LevelSet& set = scene_.level_sets.at(held.active[i]);
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const scene::LevelSet& set = scene_.level_sets.at(active[i]);
     std::vector<double> attributes;
     if (!set.formula.attributes().empty())
-      attributes = scene::attributes_of(scene_.film, set.formula, film::ElementKind::vertex, held.vertex);
+      attributes = scene::attributes_of(scene_.film, set.formula, film::ElementKind::vertex, vertex);
     const language::Jet jet = set.formula.hessian({std::array{at.x, at.y, at.z}, scene_.time, attributes});
     gradients[i] = {jet.gradient[0], jet.gradient[1], jet.gradient[2]};
     hessians[i] = film::symmetric(jet.hessian);
   }
-  const std::array<double, 3> share = scene::shares(std::span(gradients.data(), count), force);
+  const std::array<double, 3> share = scene::shares(std::span(gradients.data(), active.size()), force);
   film::Mat3 block;
-  for (std::size_t i = 0; i < count; ++i) block += share[i] * hessians[i];
+  for (std::size_t i = 0; i < active.size(); ++i) block += share[i] * hessians[i];
   return block;
 }
 
@@ -183,8 +272,65 @@ film::Mat3 VertexConstraints::boundary_curvature(const Held& held, const Vec3& f
   return block;
 }
 
+// As scene::project_to_level_sets does for one level set, lane by lane. Whether a step has arrived is seen
+// from values alone, which cost a quarter of what gradients do.
+bool VertexConstraints::project_block(const LevelSet& set, Points& points) const {
+  constexpr int most_steps = 40;
+  std::array<bool, language::lane_count> done{};
+  language::Lanes before;
+  before.fill(HUGE_VAL);
+  language::Lanes steepness{};
+  const auto rounding = [&](std::size_t i) {
+    return 4e-16 * (std::abs(points[0][i]) + std::abs(points[1][i]) + std::abs(points[2][i]) + 1e-300);
+  };
+  const auto all_done = [&] { return std::find(done.begin(), done.end(), false) == done.end(); };
+  for (int step = 0; step < most_steps; ++step) {
+    const language::First<language::Lanes> levels = set.formula.gradients(points, scene_.time);
+    for (std::size_t i = 0; i < done.size(); ++i) {
+      if (done[i]) continue;
+      const double value = levels.value[i];
+      if (!std::isfinite(value)) return false;
+      const Vec3 gradient{levels.gradient[0][i], levels.gradient[1][i], levels.gradient[2][i]};
+      const double squared = squared_length(gradient);
+      steepness[i] = std::max(std::sqrt(squared), 1e-300);
+      const double distance = std::abs(value) / steepness[i];
+      done[i] = !violated(set, value) || distance <= rounding(i) ||
+                (distance < 100 * rounding(i) && distance >= before[i]);
+      if (done[i]) continue;
+      before[i] = distance;
+      const double multiplier = squared > 0 ? -value / squared : 0;
+      for (std::size_t k = 0; k < 3; ++k) points[k][i] += multiplier * gradient[static_cast<int>(k)];
+    }
+    if (all_done()) return true;
+    const language::Lanes values = set.formula.values(points, scene_.time);
+    for (std::size_t i = 0; i < done.size(); ++i)
+      done[i] = done[i] || std::abs(values[i]) <= rounding(i) * steepness[i];
+    if (all_done()) return true;
+  }
+  return false;
+}
+
+bool VertexConstraints::project(const Group& group, std::span<Vec3> x) const {
+  const LevelSet& set = scene_.level_sets.at(group.number);
+  bool all = true;
+  for_each_block(group, x, [&](std::size_t first, std::size_t count, Points& points) {
+    if (set.sense != Sense::equal) {
+      const language::Lanes values = set.formula.values(points, scene_.time);
+      const bool none_beyond = std::none_of(values.begin(), values.end(), [&](double value) {
+        return !std::isfinite(value) || violated(set, value);
+      });
+      if (none_beyond) return;
+    }
+    all = project_block(set, points) && all;
+    for (std::size_t i = 0; i < count; ++i)
+      x[single_vertices_[first + i]] = {points[0][i], points[1][i], points[2][i]};
+  });
+  return all;
+}
+
 bool VertexConstraints::project(std::span<Vec3> x) {
   bool all = true;
+  for (const Group& group : groups_) all = project(group, x) && all;
   for (Held& held : held_) {
     Vec3& at = x[held.vertex];
     if (held.boundary == 0) {
@@ -208,6 +354,15 @@ void VertexConstraints::publish(scene::Scene& scene) const {
 
 double VertexConstraints::violation(std::span<const Vec3> x) const {
   double worst = 0;
+  for (const Group& group : groups_) {
+    const LevelSet& set = scene_.level_sets.at(group.number);
+    for (std::size_t i = group.begin; i < group.end; ++i) {
+      const std::uint32_t vertex = single_vertices_[i];
+      const scene::Level level = scene::level_at(scene_, set, x[vertex], vertex);
+      if (violated(set, level.value))
+        worst = std::max(worst, std::abs(level.value) / std::max(length(level.gradient), 1e-300));
+    }
+  }
   for (const Held& held : held_) {
     const Vec3& at = x[held.vertex];
     if (held.boundary != 0) {
@@ -219,9 +374,8 @@ double VertexConstraints::violation(std::span<const Vec3> x) const {
     for (const int number : held.level_sets) {
       const LevelSet& set = scene_.level_sets.at(number);
       const scene::Level level = scene::level_at(scene_, set, at, held.vertex);
-      const bool wrong = set.sense == Sense::equal || (set.sense == Sense::nonnegative && level.value < 0) ||
-                         (set.sense == Sense::nonpositive && level.value > 0);
-      if (wrong) worst = std::max(worst, std::abs(level.value) / std::max(length(level.gradient), 1e-300));
+      if (violated(set, level.value))
+        worst = std::max(worst, std::abs(level.value) / std::max(length(level.gradient), 1e-300));
     }
   }
   return worst;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "film/mat3.h"
@@ -19,8 +20,9 @@ class VertexConstraints {
   VertexConstraints() = default;
   explicit VertexConstraints(const scene::Scene& scene);
 
-  bool empty() const { return held_.empty(); }
-  bool one_sided() const { return one_sided_; }
+  bool empty() const { return held_.empty() && single_vertices_.empty(); }
+  // Whether one-sided constraints held some vertex when they were last renewed.
+  bool touched() const { return touched_; }
   // Whether some formula depends on the time.
   bool moves() const { return moves_; }
   // Whether a vertex is held.
@@ -33,7 +35,11 @@ class VertexConstraints {
   void renew(std::span<const Vec3> x, std::span<const Vec3> force = {});
   // Takes out of a vector at a vertex what its constraints forbid.
   Vec3 restricted(std::uint32_t vertex, const Vec3& vector) const {
-    return holds(vertex) ? restricted_by(held_[index_[vertex]], vector) : vector;
+    if (!holds(vertex)) return vector;
+    const std::uint32_t row = index_[vertex];
+    if (row < held_.size()) return restricted_by(held_[row], vector);
+    const Vec3& normal = single_normals_[row - held_.size()];
+    return vector - dot(vector, normal) * normal;
   }
   void restrict(std::span<Vec3> field) const;
 
@@ -57,6 +63,7 @@ class VertexConstraints {
   template <class Function>
   void for_each(Function&& function) const {
     for (const Held& held : held_) function(held.vertex);
+    for (const std::uint32_t vertex : single_vertices_) function(vertex);
   }
 
  private:
@@ -73,16 +80,38 @@ class VertexConstraints {
     std::array<int, 3> active{};  // the level sets that `directions` come from, before any was left out
     int active_count = 0;
   };
-  film::Mat3 level_curvature(const Held& held, const Vec3& at, const Vec3& force) const;
+  // Vertices that one level set holds and nothing else, which is by far the commonest: a range of
+  // `single_vertices_`, evaluated side by side.
+  struct Group {
+    int number = 0;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+  using Points = std::array<language::Lanes, 3>;
+  void add_groups(std::vector<std::pair<int, std::uint32_t>>& singles);
+  template <class Function>
+  void for_each_block(const Group& group, std::span<const Vec3> x, Function&& function) const;
+  bool project(const Group& group, std::span<Vec3> x) const;
+  bool project_block(const scene::LevelSet& set, Points& points) const;
+  void renew(const Group& group, std::span<const Vec3> x, std::span<const Vec3> force);
+  const Group& group_of(std::size_t single) const;
+  // The directions that level sets forbid at a vertex; returns how many.
+  int forbidden(std::uint32_t row, std::array<Vec3, 3>& directions) const;
+  film::Mat3 level_curvature(std::uint32_t vertex, std::span<const int> active, const Vec3& at,
+                             const Vec3& force) const;
   film::Mat3 boundary_curvature(const Held& held, const Vec3& force) const;
   static Vec3 restricted_by(const Held& held, const Vec3& vector);
   void renew_levels(Held& held, const Vec3& at, const Vec3* force);
   void renew_boundary(Held& held, const Vec3& at);
 
   scene::Scene scene_;  // without its film's positions: constraints, variables, attributes, time
-  std::vector<std::uint32_t> index_;  // of each vertex in held_
+  // Of each vertex: its row in held_, or the size of held_ and its row among the single ones.
+  std::vector<std::uint32_t> index_;
   std::vector<Held> held_;
-  bool one_sided_ = false;
+  std::vector<Group> groups_;
+  std::vector<std::uint32_t> single_vertices_;
+  std::vector<Vec3> single_normals_;  // unit vectors; 0 where a one-sided level does not hold
+  bool touched_ = false;
   bool moves_ = false;
 };
 

@@ -24,18 +24,17 @@ constexpr film::RegionPair mixed{film::Region{1}, film::Region{0}};  // never so
 }  // namespace
 
 VolumeGradient::VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows,
-                               const VertexConstraints& constraints, std::span<const FieldEdge> contents,
-                               int order, std::span<const FixedRow> fixed)
+                               std::span<const FieldEdge> contents, int order,
+                               std::span<const FixedRow> fixed)
     : rows_(rows), order_(order) {
   if (rows == 0) return;
-  find_borders(film, row_of_region, constraints, contents, fixed);
+  find_borders(film, row_of_region, contents, fixed);
   build_pattern();
 }
 
 // A vertex all of whose labelled triangles part the same two regions lies inside a film; others are borders.
 void VolumeGradient::find_borders(const film::Film& film, std::span<const int> row_of_region,
-                                  const VertexConstraints& constraints, std::span<const FieldEdge> contents,
-                                  std::span<const FixedRow> fixed) {
+                                  std::span<const FieldEdge> contents, std::span<const FixedRow> fixed) {
   const film::View view = film.view();
   const std::size_t vertices = view.positions.size();
   std::vector<film::RegionPair> pair_at(vertices);
@@ -57,9 +56,6 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
   for (const FixedRow& row : fixed) {
     for (const std::uint32_t v : row.vertices) pair_at[v] = mixed;
   }
-  constraints.for_each([&](std::uint32_t v) {
-    if (!(pair_at[v] == film::RegionPair{})) pair_at[v] = mixed;
-  });
 
   std::map<film::RegionPair, std::uint32_t, RegionPairOrder> known;
   place_of_vertex_.assign(vertices, none);
@@ -203,7 +199,12 @@ void VolumeGradient::set_fixed(int row, std::span<const Vec3> gradient) {
 }
 
 void VolumeGradient::restrict(const VertexConstraints& constraints) {
-  if (constraints.empty()) return;
+  if (constraints.empty() || rows_ == 0) return;
+  restricted_.resize(place_of_vertex_.size());
+  for (std::uint32_t v = 0; v < place_of_vertex_.size(); ++v) {
+    if (place_of_vertex_[v] < pairs_.size())
+      restricted_[v] = constraints.restricted(v, lines_[v].area_vector);
+  }
   for (const Border& border : borders_) {
     if (!constraints.holds(border.vertex)) continue;
     for (std::uint32_t s = border.first; s < border.last; ++s) {
@@ -232,7 +233,7 @@ void VolumeGradient::gram(std::span<const double> weights, std::span<double> val
       flush();
       run = pair;
     }
-    sum += weights[v] * squared_length(lines_[v].area_vector);
+    sum += weights[v] * squared_length(area_vector(v));
   }
   flush();
   for (const Border& border : borders_) {
@@ -264,7 +265,7 @@ void VolumeGradient::dot(std::span<const double> weights, std::span<const Vec3> 
       flush();
       run = pair;
     }
-    sum += weights[v] * film::dot(lines_[v].area_vector, field[v]);
+    sum += weights[v] * film::dot(area_vector(v), field[v]);
   }
   flush();
   for (const Border& border : borders_) {
@@ -286,7 +287,8 @@ void VolumeGradient::set_multipliers(std::span<const double> multipliers) {
 
 Vec3 VolumeGradient::unrestricted_pull(std::size_t vertex) const {
   const std::uint32_t place = place_of_vertex_[vertex];
-  if (place == none || place < pairs_.size()) return pull(vertex);
+  if (place == none) return {};
+  if (place < pairs_.size()) return pair_factor_[place] * lines_[vertex].area_vector;
   const Border& border = borders_[place - pairs_.size()];
   Vec3 sum;
   for (std::uint32_t s = border.first; s < border.last; ++s)

@@ -33,12 +33,11 @@ struct FixedRow {
 class VolumeGradient {
  public:
   VolumeGradient() = default;  // no rows
-  // row_of_region[r] is the row of region r among those wanted, or -1. Vertices that `constraints` hold get
-  // lists of their own, as do the ends of edges with contents, whose integrals to degree `order` count too,
-  // and the vertices of `fixed`. Rows count regions and `fixed`.
+  // row_of_region[r] is the row of region r among those wanted, or -1. The ends of edges with
+  // contents, whose integrals to degree `order` count too, and the vertices of `fixed` get lists of their
+  // own. Rows count regions and `fixed`.
   VolumeGradient(const film::Film& film, std::span<const int> row_of_region, int rows,
-                 const VertexConstraints& constraints, std::span<const FieldEdge> contents, int order,
-                 std::span<const FixedRow> fixed = {});
+                 std::span<const FieldEdge> contents, int order, std::span<const FixedRow> fixed = {});
 
   int rows() const { return rows_; }
   const std::vector<GramEntry>& pattern() const { return pattern_; }
@@ -62,7 +61,7 @@ class VolumeGradient {
   Vec3 pull(std::size_t vertex) const {
     const std::uint32_t place = place_of_vertex_[vertex];
     if (place == none) return {};
-    if (place < pairs_.size()) return pair_factor_[place] * lines_[vertex].area_vector;
+    if (place < pairs_.size()) return pair_factor_[place] * area_vector(vertex);
     return border_pull(borders_[place - pairs_.size()]);
   }
 
@@ -89,8 +88,8 @@ class VolumeGradient {
     for (std::uint32_t v = 0; v < place_of_vertex_.size(); ++v) {
       if (place_of_vertex_[v] >= pairs_.size()) continue;
       const Pair& pair = pairs_[place_of_vertex_[v]];
-      if (pair.high >= 0) function(v, pair.high, lines_[v].area_vector);
-      if (pair.low >= 0) function(v, pair.low, -lines_[v].area_vector);
+      if (pair.high >= 0) function(v, pair.high, area_vector(v));
+      if (pair.low >= 0) function(v, pair.low, -area_vector(v));
     }
     for (const Border& border : borders_) {
       for (std::uint32_t s = border.first; s < border.last; ++s)
@@ -137,10 +136,13 @@ class VolumeGradient {
     std::uint32_t to = none;
   };
 
+  // Of a vertex inside one film, without what constraints forbid.
+  const Vec3& area_vector(std::size_t vertex) const {
+    return restricted_.empty() ? lines_[vertex].area_vector : restricted_[vertex];
+  }
   Vec3 border_pull(const Border& border) const;
   void find_borders(const film::Film& film, std::span<const int> row_of_region,
-                    const VertexConstraints& constraints, std::span<const FieldEdge> contents,
-                    std::span<const FixedRow> fixed);
+                    std::span<const FieldEdge> contents, std::span<const FixedRow> fixed);
   void build_pattern();
 
   int rows_ = 0;
@@ -158,6 +160,7 @@ class VolumeGradient {
   std::vector<double> pair_factor_;  // multiplier of the high row minus that of the low one
   std::vector<double> multipliers_;
   std::span<const VertexLine> lines_;
+  std::vector<Vec3> restricted_;  // area vectors of inner vertices; empty in a scene without constraints
 };
 
 }  // namespace lamella::energy

@@ -1,176 +1,26 @@
 #include "language/formula.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
-#include "language/function_derivatives.h"
-#include "language/functions.h"
+#include "language/formula_program.h"
 #include "language/jet.h"
-#include "text/error.h"
 
 namespace lamella::language {
-
-// Instruction i writes register i; operands are earlier registers.
-struct Formula::Program {
-  enum class Kind : std::uint8_t {
-    constant,
-    coordinate,
-    time,
-    gravity,
-    attribute,
-    variable,
-    negate,
-    logical_not,
-    unary,
-    binary,
-    operation,
-    choose,
-  };
-  struct Instruction {
-    Kind kind = Kind::constant;
-    BinaryOperator operation = BinaryOperator::add;
-    std::uint32_t a = 0;  // a register, or a row among coordinates, attributes or variables
-    std::uint32_t b = 0;
-    std::uint32_t c = 0;
-    double constant = 0;
-    UnaryRule unary = nullptr;
-    BinaryRule binary = nullptr;
-  };
-  std::vector<Instruction> instructions;
-  std::vector<VariableId> variables;
-};
-
-namespace {
-
-// The local slots of a FormulaScope: three coordinates, the time, the constant of gravity, the attributes,
-// the coordinates by other names.
-constexpr std::uint32_t time_slot = 3;
-constexpr std::uint32_t gravity_slot = 4;
-constexpr std::uint32_t first_attribute_slot = 5;
-
-[[noreturn]] void refuse(const Expression& expression, std::string what) {
-  throw text::Error(expression.place, std::move(what),
-                    "a formula is made of coordinates, variables, vertex attributes, numbers and functions");
-}
-
-}  // namespace
-
-namespace detail {
-
-// Turns a tree into instructions.
-template <class Program>
-class Compiler {
- public:
-  using Instruction = typename Program::Instruction;
-  using Kind = typename Program::Kind;
-
-  explicit Compiler(std::size_t attributes) : attributes_(static_cast<std::uint32_t>(attributes)) {}
-
-  std::uint32_t compile(const Expression& expression) {
-    return std::visit([&](const auto& node) { return node_of(expression, node); }, expression.node);
-  }
-  Program take() { return std::move(program_); }
-
- private:
-  std::uint32_t emit(Instruction instruction) {
-    program_.instructions.push_back(instruction);
-    return static_cast<std::uint32_t>(program_.instructions.size() - 1);
-  }
-  std::uint32_t emit(Kind kind, std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0) {
-    Instruction i;
-    i.kind = kind;
-    i.a = a;
-    i.b = b;
-    i.c = c;
-    return emit(i);
-  }
-  std::uint32_t emit(BinaryOperator operation, std::uint32_t a, std::uint32_t b) {
-    Instruction i;
-    i.kind = Kind::operation;
-    i.operation = operation;
-    i.a = a;
-    i.b = b;
-    return emit(i);
-  }
-
-  std::uint32_t node_of(const Expression&, const Number& node) {
-    Instruction i;
-    i.constant = node.value;
-    return emit(i);
-  }
-  std::uint32_t node_of(const Expression&, const VariableUse& node) {
-    auto& variables = program_.variables;
-    const auto at = std::find(variables.begin(), variables.end(), node.id);
-    const auto row = static_cast<std::uint32_t>(at - variables.begin());
-    if (at == variables.end()) variables.push_back(node.id);
-    return emit(Kind::variable, row);
-  }
-  std::uint32_t node_of(const Expression&, const LocalUse& node) {
-    const std::uint32_t slot = node.id.slot;
-    if (slot < time_slot) return emit(Kind::coordinate, slot);
-    if (slot == time_slot) return emit(Kind::time, 0);
-    if (slot == gravity_slot) return emit(Kind::gravity, 0);
-    const std::uint32_t attribute = slot - first_attribute_slot;
-    return attribute < attributes_ ? emit(Kind::attribute, attribute)
-                                   : emit(Kind::coordinate, attribute - attributes_);
-  }
-  std::uint32_t node_of(const Expression&, const Unary& node) {
-    const std::uint32_t operand = compile(*node.operand);
-    return emit(node.operation == UnaryOperator::negate ? Kind::negate : Kind::logical_not, operand);
-  }
-  std::uint32_t node_of(const Expression&, const Chain& node) {
-    std::uint32_t left = compile(*node.first);
-    for (const Chain::Link& link : node.links) left = emit(link.operation, left, compile(*link.operand));
-    return left;
-  }
-  std::uint32_t node_of(const Expression&, const Comparison& node) {
-    const std::uint32_t left = compile(*node.left);
-    return emit(node.operation, left, compile(*node.right));
-  }
-  std::uint32_t node_of(const Expression&, const Conditional& node) {
-    const std::uint32_t condition = compile(*node.condition);
-    const std::uint32_t yes = compile(*node.yes);
-    return emit(Kind::choose, condition, yes, compile(*node.no));
-  }
-  std::uint32_t node_of(const Expression& expression, const Call& node) {
-    Instruction i;
-    i.a = compile(*node.arguments[0]);
-    if (node.arguments.size() == 1) {
-      i.kind = Kind::unary;
-      i.unary = unary_rule(node.function->name);
-    } else {
-      i.kind = Kind::binary;
-      i.b = compile(*node.arguments[1]);
-      i.binary = binary_rule(node.function->name);
-    }
-    if (i.unary == nullptr && i.binary == nullptr) {
-      refuse(expression,
-             std::string(node.function->name) + " cannot stand in a formula: its derivatives are not known");
-    }
-    return emit(i);
-  }
-  template <class Other>
-  std::uint32_t node_of(const Expression& expression, const Other&) {
-    refuse(expression, "this cannot stand in a formula");
-  }
-
-  std::uint32_t attributes_;
-  Program program_;
-};
-
-}  // namespace detail
 
 Formula::Formula(std::shared_ptr<const Expression> expression, std::string text,
                  std::vector<std::string> attributes)
     : text_(std::move(text)), attributes_(std::move(attributes)) {
-  detail::Compiler<Program> compiler(attributes_.size());
-  compiler.compile(*expression);
-  program_ = std::make_shared<const Program>(compiler.take());
-  variables_.resize(program_->variables.size());
+  program_ = std::make_shared<const FormulaProgram>(compile_formula(*expression, attributes_.size()));
+  find_uniform(std::vector<double>(program_->variables.size()), 0);
 }
 
 bool Formula::depends_on_time() const {
   return program_ && std::any_of(program_->instructions.begin(), program_->instructions.end(),
-                                 [](const Program::Instruction& i) { return i.kind == Program::Kind::time; });
+                                 [](const FormulaProgram::Instruction& i) {
+                                   return i.kind == FormulaProgram::Kind::time;
+                                 });
 }
 
 bool Formula::depends_on_variables() const {
@@ -182,26 +32,44 @@ std::span<const VariableId> Formula::variables() const {
 }
 
 void Formula::bind(const Variables& variables, double gravity) {
-  gravity_ = gravity;
-  for (std::size_t i = 0; i < variables_.size(); ++i) {
-    const Variable* const variable = variables.get(program_->variables[i]);
+  if (!program_) return;
+  std::vector<double> values;
+  for (const VariableId id : program_->variables) {
+    const Variable* const variable = variables.get(id);
     const double* const number = variable != nullptr ? std::get_if<double>(&variable->value) : nullptr;
-    variables_[i] = number != nullptr ? *number : 0.0;
+    values.push_back(number != nullptr ? *number : 0.0);
   }
+  find_uniform(values, gravity);
 }
 
 namespace {
 
+constexpr std::size_t most_registers_on_stack = 64;
+
+// Room for registers, not initialised: each is written before it is read.
 template <class Scalar>
-Scalar constant(double value) {
-  if constexpr (std::is_same_v<Scalar, double>) {
-    return value;
-  } else {
-    Scalar result;
-    result.value = value;
-    return result;
+class Registers {
+ public:
+  explicit Registers(std::size_t count) {
+    if (count <= most_registers_on_stack) return;
+    many_.resize(count);
+    begin_ = many_.data();
   }
-}
+  Scalar& operator[](std::size_t i) { return begin_[i]; }
+
+ private:
+  static_assert(std::is_trivially_copyable_v<Scalar>);
+  alignas(64) std::array<std::byte, most_registers_on_stack * sizeof(Scalar)> few_;
+  std::vector<Scalar> many_;
+  Scalar* begin_ = reinterpret_cast<Scalar*>(few_.data());
+};
+
+struct LaneInputs {
+  const std::array<Lanes, 3>& coordinates;
+  double time = 0;
+};
+
+// --- inputs
 
 template <class Scalar>
 Scalar coordinate(const FormulaInputs& inputs, std::uint32_t row) {
@@ -212,62 +80,181 @@ Scalar coordinate(const FormulaInputs& inputs, std::uint32_t row) {
   return result;
 }
 
-constexpr std::size_t most_registers_on_stack = 64;
+template <class Scalar>
+Scalar coordinate(const LaneInputs& inputs, std::uint32_t row) {
+  if constexpr (std::is_same_v<Scalar, Lanes>) {
+    return inputs.coordinates[row];
+  } else {
+    Scalar result = constant<Scalar>(0);
+    result.value = inputs.coordinates[row];
+    result.gradient[row] = number<Lanes>(1);
+    return result;
+  }
+}
+
+double attribute(const FormulaInputs& inputs, std::uint32_t row) {
+  return inputs.attributes[row];
+}
+double attribute(const LaneInputs&, std::uint32_t) {
+  return NAN;  // such formulas are not evaluated in lanes
+}
+
+// --- rules, lane by lane
+
+Slopes<double> apply(UnaryRule rule, double a) {
+  return rule(a);
+}
+Slopes<Lanes> apply(UnaryRule rule, const Lanes& a) {
+  Slopes<Lanes> d;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    const UnaryDerivatives one = rule(a[i]);
+    d.f[i] = one.f;
+    d.first[i] = one.first;
+    d.second[i] = one.second;
+  }
+  return d;
+}
+
+template <class Rule>
+SecondOrder apply(const Rule& rule, double a, double b) {
+  return rule(a, b);
+}
+template <class Rule>
+SlopesOfTwo<Lanes> apply(const Rule& rule, const Lanes& a, const Lanes& b) {
+  SlopesOfTwo<Lanes> d;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    const SecondOrder one = rule(a[i], b[i]);
+    d.f[i] = one.f;
+    d.a[i] = one.a;
+    d.b[i] = one.b;
+  }
+  return d;
+}
+
+template <class T>
+SlopesOfTwo<T> product(const T& a, const T& b) {
+  return {a * b, b, a, number<T>(0), number<T>(1), number<T>(0)};
+}
+
+template <class T>
+SlopesOfTwo<T> quotient(const T& a, const T& b) {
+  const T q = number<T>(1) / b;
+  return {a / b, q, -a * q * q, number<T>(0), -q * q, number<T>(2) * a * q * q * q};
+}
+
+// One where the lane is 0, else 0.
+double inverted(double a) {
+  return a == 0 ? 1 : 0;
+}
+Lanes inverted(const Lanes& a) {
+  Lanes r;
+  for (std::size_t i = 0; i < lane_count; ++i) r[i] = inverted(a[i]);
+  return r;
+}
+
+template <class Scalar>
+Scalar flat(const typename NumberOf<Scalar>::type& value) {
+  Scalar r = constant<Scalar>(0);
+  if constexpr (std::is_same_v<Scalar, typename NumberOf<Scalar>::type>) {
+    r = value;
+  } else {
+    r.value = value;
+  }
+  return r;
+}
+
+template <class Scalar>
+Scalar chosen(double condition, const Scalar& yes, const Scalar& no) {
+  return condition != 0 ? yes : no;
+}
+Lanes chosen(const Lanes& condition, const Lanes& yes, const Lanes& no) {
+  Lanes r;
+  for (std::size_t i = 0; i < lane_count; ++i) r[i] = condition[i] != 0 ? yes[i] : no[i];
+  return r;
+}
+First<Lanes> chosen(const Lanes& condition, const First<Lanes>& yes, const First<Lanes>& no) {
+  First<Lanes> r;
+  r.value = chosen(condition, yes.value, no.value);
+  for (std::size_t k = 0; k < 3; ++k) r.gradient[k] = chosen(condition, yes.gradient[k], no.gradient[k]);
+  return r;
+}
+
+// What one instruction of those that have operands makes of registers.
+template <class Scalar>
+Scalar operate(const FormulaProgram::Instruction& in, Registers<Scalar>& r) {
+  using Kind = FormulaProgram::Kind;
+  const Scalar& a = r[in.a];
+  const Scalar& b = r[in.b];
+  switch (in.kind) {
+    case Kind::negate:
+      return negative(a);
+    case Kind::logical_not:
+      return flat<Scalar>(inverted(value_of(a)));
+    case Kind::add:
+      return sum(a, b);
+    case Kind::subtract:
+      return sum(a, negative(b));
+    case Kind::multiply:
+      return compose(a, b, product(value_of(a), value_of(b)));
+    case Kind::divide:
+      return compose(a, b, quotient(value_of(a), value_of(b)));
+    case Kind::whole_power:
+      return raised(a, in.exponent);
+    case Kind::unary:
+      return compose(a, apply(in.unary, value_of(a)));
+    case Kind::binary:
+      return compose(a, b, apply(in.binary, value_of(a), value_of(b)));
+    case Kind::choose:
+      return chosen(value_of(a), b, r[in.c]);
+    default: {
+      const auto rule = [&](double x, double y) { return operator_rule(in.operation, x, y); };
+      return compose(a, b, apply(rule, value_of(a), value_of(b)));
+    }
+  }
+}
 
 }  // namespace
 
-template <class Scalar>
-Scalar Formula::run(const FormulaInputs& inputs) const {
-  const auto& instructions = program_->instructions;
-  std::array<Scalar, most_registers_on_stack> few;
-  std::vector<Scalar> many;
-  if (instructions.size() > few.size()) many.resize(instructions.size());
-  Scalar* const r = many.empty() ? few.data() : many.data();
-  using Kind = Program::Kind;
-  for (std::size_t i = 0; i < instructions.size(); ++i) {
-    const Program::Instruction& in = instructions[i];
-    switch (in.kind) {
-      case Kind::constant:
-        r[i] = constant<Scalar>(in.constant);
-        break;
-      case Kind::coordinate:
-        r[i] = coordinate<Scalar>(inputs, in.a);
-        break;
-      case Kind::time:
-        r[i] = constant<Scalar>(inputs.time);
-        break;
-      case Kind::gravity:
-        r[i] = constant<Scalar>(gravity_);
-        break;
-      case Kind::attribute:
-        r[i] = constant<Scalar>(inputs.attributes[in.a]);
-        break;
-      case Kind::variable:
-        r[i] = constant<Scalar>(variables_[in.a]);
-        break;
-      case Kind::negate:
-        r[i] = compose(r[in.a], -value_of(r[in.a]), -1, 0);
-        break;
-      case Kind::logical_not:
-        r[i] = constant<Scalar>(value_of(r[in.a]) == 0 ? 1 : 0);
-        break;
-      case Kind::unary: {
-        const UnaryDerivatives d = in.unary(value_of(r[in.a]));
-        r[i] = compose(r[in.a], d.f, d.first, d.second);
-        break;
-      }
-      case Kind::binary:
-        r[i] = compose(r[in.a], r[in.b], in.binary(value_of(r[in.a]), value_of(r[in.b])));
-        break;
-      case Kind::operation:
-        r[i] = compose(r[in.a], r[in.b], operator_rule(in.operation, value_of(r[in.a]), value_of(r[in.b])));
-        break;
-      case Kind::choose:
-        r[i] = value_of(r[in.a]) != 0 ? r[in.b] : r[in.c];
-        break;
+template <class Scalar, class Inputs>
+Scalar Formula::run(const Inputs& inputs) const {
+  const FormulaProgram& program = *program_;
+  Registers<Scalar> r(program.instructions.size());
+  for (std::size_t k = 0; k < program.loaded.size(); ++k)
+    r[program.loaded[k]] = constant<Scalar>(uniform_[k]);
+  using Kind = FormulaProgram::Kind;
+  for (const std::uint32_t i : program.varying) {
+    const FormulaProgram::Instruction& in = program.instructions[i];
+    if (in.kind == Kind::coordinate) {
+      r[i] = coordinate<Scalar>(inputs, in.a);
+    } else if (in.kind == Kind::time) {
+      r[i] = constant<Scalar>(inputs.time);
+    } else if (in.kind == Kind::attribute) {
+      r[i] = constant<Scalar>(attribute(inputs, in.a));
+    } else {
+      r[i] = operate(in, r);
     }
   }
-  return r[instructions.size() - 1];
+  return r[program.instructions.size() - 1];
+}
+
+void Formula::find_uniform(std::span<const double> variables, double gravity) {
+  const FormulaProgram& program = *program_;
+  Registers<double> r(program.instructions.size());
+  using Kind = FormulaProgram::Kind;
+  for (const std::uint32_t i : program.uniform) {
+    const FormulaProgram::Instruction& in = program.instructions[i];
+    if (in.kind == Kind::constant) {
+      r[i] = in.constant;
+    } else if (in.kind == Kind::gravity) {
+      r[i] = gravity;
+    } else if (in.kind == Kind::variable) {
+      r[i] = variables[in.a];
+    } else {
+      r[i] = operate(in, r);
+    }
+  }
+  uniform_.clear();
+  for (const std::uint32_t i : program.loaded) uniform_.push_back(r[i]);
 }
 
 double Formula::value(const FormulaInputs& inputs) const {
@@ -275,12 +262,20 @@ double Formula::value(const FormulaInputs& inputs) const {
 }
 
 Jet Formula::gradient(const FormulaInputs& inputs) const {
-  const FirstJet first = run<FirstJet>(inputs);
+  const auto first = run<First<double>>(inputs);
   return {first.value, first.gradient, {}};
 }
 
 Jet Formula::hessian(const FormulaInputs& inputs) const {
   return run<Jet>(inputs);
+}
+
+Lanes Formula::values(const std::array<Lanes, 3>& coordinates, double time) const {
+  return run<Lanes>(LaneInputs{coordinates, time});
+}
+
+First<Lanes> Formula::gradients(const std::array<Lanes, 3>& coordinates, double time) const {
+  return run<First<Lanes>>(LaneInputs{coordinates, time});
 }
 
 }  // namespace lamella::language

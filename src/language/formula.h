@@ -24,6 +24,17 @@ struct Jet {
   std::array<double, 6> hessian{};
 };
 
+// Points that a formula is evaluated at side by side.
+inline constexpr std::size_t lane_count = 16;
+using Lanes = std::array<double, lane_count>;
+
+// A value with its gradient by three coordinates.
+template <class T>
+struct First {
+  T value{};
+  std::array<T, 3> gradient{};
+};
+
 // What a formula may depend on besides its coordinates and the scene's variables, in the order of its local
 // slots.
 struct FormulaInputs {
@@ -32,6 +43,8 @@ struct FormulaInputs {
   std::span<const double> attributes;   // values of `Formula::attributes()` at the element in question
   std::array<int, 3> by = {0, 1, 2};    // the coordinates by which derivatives are taken
 };
+
+struct FormulaProgram;
 
 class Formula {
  public:
@@ -61,16 +74,19 @@ class Formula {
   Jet gradient(const FormulaInputs& inputs) const;
   Jet hessian(const FormulaInputs& inputs) const;
 
- private:
-  struct Program;
-  template <class Scalar>
-  Scalar run(const FormulaInputs& inputs) const;
+  // The same at `lane_count` points at once, for a formula that reads no attributes.
+  Lanes values(const std::array<Lanes, 3>& coordinates, double time) const;
+  First<Lanes> gradients(const std::array<Lanes, 3>& coordinates, double time) const;
 
-  std::shared_ptr<const Program> program_;
+ private:
+  template <class Scalar, class Inputs>
+  Scalar run(const Inputs& inputs) const;
+  void find_uniform(std::span<const double> variables, double gravity);
+
+  std::shared_ptr<const FormulaProgram> program_;
   std::string text_;
   std::vector<std::string> attributes_;
-  double gravity_ = 0;
-  std::vector<double> variables_;  // bound values, in the program's order
+  std::vector<double> uniform_;  // the values of what is the same everywhere, in the program's order
 };
 
 }  // namespace lamella::language

@@ -8,12 +8,6 @@
 
 namespace lamella::language {
 
-struct UnaryDerivatives {
-  double f = 0;
-  double first = 0;
-  double second = 0;
-};
-
 using UnaryRule = UnaryDerivatives (*)(double x);
 using BinaryRule = SecondOrder (*)(double a, double b);
 

@@ -70,7 +70,7 @@ Problem::Problem(const scene::Scene& scene)
   pressures_.resize(rows);
   errors_.resize(rows);
   multipliers_.resize(rows);
-  if (rows > 0 || energy_.constraints().one_sided()) gradient_.resize(vertex_count());
+  if (rows > 0) gradient_.resize(vertex_count());
   set_targets(scene);
 }
 
@@ -106,14 +106,12 @@ double Problem::linearise(std::span<const Vec3> x, bool& ok) {
   const std::span<const energy::VertexLine> lines = energy_.lines();
   for (std::size_t v = 0; v < gradient_.size(); ++v) gradient_[v] = lines[v].gradient;
   ok = find_pressures();
-  if (!ok || !energy_.constraints().one_sided()) return energy;
+  if (!ok || !energy_.constraints().touched()) return energy;
   // One-sided constraints that the force pulls away from let go; pressures follow.
-  std::vector<Vec3> force(x.size());
+  force_.resize(x.size());
   energy_.volume_gradient().set_multipliers(pressures_);
-  for (std::size_t v = 0; v < force.size(); ++v) {
-    force[v] = (targets_.empty() ? Vec3{} : energy_.volume_gradient().pull(v)) - lines[v].gradient;
-  }
-  energy_.renew_constraints(x, force);
+  for (std::size_t v = 0; v < force_.size(); ++v) force_[v] = force(v);
+  energy_.renew_constraints(x, force_);
   ok = find_pressures();
   return energy;
 }

@@ -106,7 +106,8 @@ class Problem {
   std::vector<double> errors_;
   std::vector<double> multipliers_;
   std::vector<Vec3>
-      gradient_;  // only while there are constraints: the field whose products give the pressures
+      gradient_;             // only while there are constraints: the field whose products give the pressures
+  std::vector<Vec3> force_;  // only where one-sided constraints hold some vertex
 };
 
 }  // namespace lamella::solve

@@ -11,6 +11,8 @@
 #include "energy/film_energy.h"
 #include "evolution/motion.h"
 #include "film/order.h"
+#include "language/formula_scope.h"
+#include "language/lexer.h"
 #include "scene/scene.h"
 #include "solve/descent.h"
 #include "solve/lbfgs.h"
@@ -115,6 +117,24 @@ void relax_step_descent_no_bodies(benchmark::State& state) {
   per_facet(state, scene);
 }
 BENCHMARK(relax_step_descent_no_bodies)->Apply(sizes);
+
+// Every vertex inside a sphere far outside: what a constraint costs that holds nobody yet.
+void relax_step_descent_constrained(benchmark::State& state) {
+  Scene scene = double_bubble(state.range(0));
+  language::LexerStream tokens(
+      language::Lexer(text::make_source("wall", "100 - x^2 - y^2 - z^2"), language::LexerMode::datafile));
+  scene::LevelSet& wall = scene.level_sets[1];
+  wall.formula = language::parse_formula(tokens, language::FormulaKind::space, scene.variables, {});
+  wall.sense = scene::Sense::nonnegative;
+  wall.global = true;
+  solve::Problem problem(scene);
+  solve::Descent descent(problem);
+  double scale = 0;
+  const std::span<Vec3> x = scene.film.edit_positions();
+  for (auto _ : state) benchmark::DoNotOptimize(descent.step(x, scale, false, HUGE_VAL).energy);
+  per_facet(state, scene);
+}
+BENCHMARK(relax_step_descent_constrained)->Apply(sizes);
 
 // Twenty quasi-Newton iterations, one factorisation among them, divided by twenty.
 void relax_iteration_lbfgs(benchmark::State& state) {

@@ -42,6 +42,40 @@ TEST(Formula, BranchesNotTakenMayHaveNoValue) {
   EXPECT_TRUE(std::isnan(value(compiled("sqrt(x)"), {-1, 0, 0})));
 }
 
+// Side by side or one by one, the numbers are the same.
+TEST(Formula, LanesAgreeWithPoints) {
+  for (const char* const text :
+       {"x^2 + y^2 + z^2 = 9", "x*y - z/(1 + x^2)", "x^3 - 2*y^-2 + z**1.5", "sin(x)*atan2(y, z)",
+        "x > y ? x^4 : max(y, z)", "total_time*x - (x > 0)", "7", "!(x - y) + sqrt(z)", "x^0 + y^1 - x^7"}) {
+    SCOPED_TRACE(text);
+    const Formula f = compiled(text);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> number(0.1, 2);
+    std::array<Lanes, 3> points;
+    for (Lanes& axis : points)
+      for (double& x : axis) x = number(random);
+    const Lanes values = f.values(points, 0.25);
+    const First<Lanes> firsts = f.gradients(points, 0.25);
+    for (std::size_t i = 0; i < lane_count; ++i) {
+      const std::array<double, 3> at{points[0][i], points[1][i], points[2][i]};
+      const Jet jet = f.gradient({at, 0.25, {}});
+      EXPECT_EQ(values[i], f.value({at, 0.25, {}}));
+      EXPECT_NEAR(firsts.value[i], jet.value, 1e-15 * std::abs(jet.value));
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(firsts.gradient[k][i], jet.gradient[k], 1e-14 * (1 + std::abs(jet.gradient[k])));
+    }
+  }
+}
+
+TEST(Formula, WholePowersAreExactWherePowersAre) {
+  EXPECT_EQ(value(compiled("x^3"), {-3, 0, 0}), -27);
+  EXPECT_EQ(value(compiled("x^-2"), {4, 0, 0}), 0.0625);
+  EXPECT_EQ(value(compiled("x^0"), {0, 0, 0}), 1);
+  EXPECT_EQ(compiled("x^0").gradient({std::array{0.0, 0.0, 0.0}, 0, {}}).gradient[0], 0);
+  EXPECT_EQ(compiled("x^1").hessian({std::array{0.0, 0.0, 0.0}, 0, {}}).hessian[0], 0);
+  EXPECT_EQ(compiled("x^2").hessian({std::array{0.0, 0.0, 0.0}, 0, {}}).hessian[0], 2);
+}
+
 TEST(Formula, ReadsVariablesAttributesAndParameters) {
   Variables variables;
   variables.set(variables.id("radius"), 3.0);
