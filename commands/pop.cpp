@@ -2,6 +2,7 @@
 
 #include "session/mesh_commands.h"
 #include "session/topology_words.h"
+#include "surgery/pop_strings.h"
 
 namespace lamella::session::commands {
 
@@ -15,7 +16,8 @@ surgery::PopReport pop(scene::Scene& scene, const Elements& elements) {
   if (elements.kind == language::ElementKind::vertex) {
     std::vector<film::Vertex> vertices;
     for (const language::Element& element : elements.list) vertices.emplace_back(element.row);
-    return surgery::pop_vertices(scene, vertices);
+    return scene.strings.on ? surgery::pop_string_vertices(scene, vertices)
+                            : surgery::pop_vertices(scene, vertices);
   }
   std::vector<film::Edge> edges;
   for (const language::Element& element : elements.list) edges.emplace_back(element.row);

@@ -1,6 +1,7 @@
 #include "session/mesh_commands.h"
 #include "session/topology_words.h"
 #include "surgery/pop.h"
+#include "surgery/pop_strings.h"
 
 namespace lamella::session::commands {
 
@@ -9,7 +10,9 @@ namespace {
 void run(Session& session) {
   check_film(session, "to pop");
   scene::Scene& scene = session.scene();
-  const surgery::PopReport report = surgery::pop_vertices(scene, surgery::illegal_vertices(scene));
+  const surgery::PopReport report =
+      scene.strings.on ? surgery::pop_string_vertices(scene, surgery::crowded_string_vertices(scene))
+                       : surgery::pop_vertices(scene, surgery::illegal_vertices(scene));
   finish_topology(session, report.events);
   session.counter("vertex_pop_count") = static_cast<double>(report.vertices);
   session.counter("edge_pop_count") = static_cast<double>(report.edges);

@@ -353,6 +353,7 @@ scene::Body body_of(const BodyRow& row, std::uint32_t id) {
   if (row.pressure) body.fixed_pressure = row.pressure->value;
   body.pressure = row.pressure ? row.pressure->value : row.multiplier;
   body.density = row.density;
+  body.phase = row.phase;
   body.volume_offset = row.volume_constant;
   return body;
 }

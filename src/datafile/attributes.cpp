@@ -70,7 +70,7 @@ constexpr std::array<AttributeWord, 27> word_table = {{
     {"constraints", "vef", AttributeAction::constraint, {}},
     {"boundary", "vef", AttributeAction::boundary, {}},
     {"orientation", "ef", AttributeAction::orientation, {}},
-    {"phase", "fb", AttributeAction::refused, "surface tensions by pairs of phases"},
+    {"phase", "fb", AttributeAction::phase, {}},
     {"wrap", "e", AttributeAction::wrap, {}},
     {"axial_point", "v", AttributeAction::refused, "symmetry groups"},
     {"noncontent", "vef", AttributeAction::refused, "elements that do not count in volumes"},

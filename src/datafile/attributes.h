@@ -61,6 +61,7 @@ enum class AttributeAction : std::uint8_t {
   constraint,   // numbers or names of constraints follow
   boundary,     // the number or name of a boundary follows
   orientation,  // 1 or -1 follows
+  phase,        // the number of a phase follows
   wrap,         // how an edge goes around periods
   nothing,      // a word that a dump file writes and that says nothing
   refused,      // known, but not supported

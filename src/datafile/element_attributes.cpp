@@ -72,6 +72,7 @@ class AttributeReader {
   void both_colors(const Token& word);
   void volume(const Token& word);
   void pressure(const Token& word);
+  void phase(const Token& word);
   void constraints(const Token& word);
   void boundary(const Token& word);
   void quantity();
@@ -168,6 +169,8 @@ void AttributeReader::known(const AttributeWord& attribute, const Token& word) {
     case AttributeAction::density:
       body().density = value(word).value;
       return;
+    case AttributeAction::phase:
+      return phase(word);
     case AttributeAction::volume_constant:
       body().volume_constant = value(word).value;
       return;
@@ -233,6 +236,17 @@ void AttributeReader::volume(const Token& word) {
 void AttributeReader::pressure(const Token& word) {
   refuse_both(body().volume, word);
   body().pressure = value(word);
+}
+
+void AttributeReader::phase(const Token& word) {
+  const int number = static_cast<int>(whole_value(word));
+  if (kind_ == ElementKind::body) {
+    body().phase = number;
+    return;
+  }
+  std::vector<int>& phases = reading_.rows.face_phases;
+  if (phases.size() <= row_) phases.resize(row_ + 1, 0);
+  phases[row_] = number;
 }
 
 void AttributeReader::refuse_both(const std::optional<GivenValue>& other, const Token& word) {

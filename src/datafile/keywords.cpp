@@ -32,7 +32,7 @@ struct RefusedWord {
   std::string_view feature;
 };
 
-constexpr std::array<RefusedWord, 41> refused_words = {{
+constexpr std::array<RefusedWord, 40> refused_words = {{
     {"rotation_order", "symmetry groups"},
     {"quadratic", "the quadratic model"},
     {"lagrange", "the Lagrange model"},
@@ -41,7 +41,6 @@ constexpr std::array<RefusedWord, 41> refused_words = {{
     {"optimizing_parameter", "parameters that are optimized"},
     {"optimising_parameter", "parameters that are optimized"},
     {"pressure", "the ideal gas model"},
-    {"phasefile", "surface tensions by pairs of phases"},
     {"diffusion", "diffusion of gas"},
     {"wulff", "crystalline surface energies"},
     {"metric", "Riemannian metrics"},

@@ -9,6 +9,7 @@
 #include "datafile/elements.h"
 #include "datafile/include_files.h"
 #include "datafile/oddities.h"
+#include "datafile/phases.h"
 #include "datafile/reading.h"
 #include "datafile/resolve.h"
 #include "datafile/title.h"
@@ -67,6 +68,7 @@ void DatafileReader::check_and_assemble() {
   warn_of_oddities(reading_, resolved);
   stop_if_wrong();
   assemble(reading_, resolved, regions, face_regions);
+  apply_phases(reading_);
   bind_formulas(reading_.scene);
 }
 

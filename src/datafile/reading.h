@@ -16,6 +16,11 @@
 
 namespace lamella::datafile {
 
+// Surface tensions by pairs of phases, the smaller number first.
+struct Phases {
+  std::map<std::pair<int, int>, double> tensions;
+};
+
 struct Reading {
   explicit Reading(text::SourcePointer file) : tokens(std::move(file)) {}
 
@@ -27,8 +32,9 @@ struct Reading {
   std::optional<std::array<film::Vec3, 3>> periods;  // of a periodic film
   bool wraps_are_attributes = false;                 // of edges, in place of signs
   text::Place dimension_place;                       // where that of space was given
-  bool keep_originals = false;                       // elements keep their numbers
-  bool keep_macros = false;                          // macros stay in force in the commands after `read`
+  std::optional<Phases> phases;
+  bool keep_originals = false;  // elements keep their numbers
+  bool keep_macros = false;     // macros stay in force in the commands after `read`
   std::map<std::string, text::Place, std::less<>> defined;  // where each variable was, by lower-case name
   // Numbers of constraints and boundaries that have names, in lower case.
   std::map<std::string, int, std::less<>> constraint_names;

@@ -54,6 +54,7 @@ struct BodyRow {
   std::optional<GivenValue> actual_volume;  // volconst is to make the volume this
   double volume_constant = 0;
   double density = 0;
+  int phase = 0;
   double multiplier = 0;  // of the volume constraint, as a dump file has it
 };
 
@@ -77,6 +78,7 @@ struct Rows {
   std::array<std::vector<std::pair<std::uint32_t, int>>, 4> constraints;
   std::array<std::vector<std::pair<std::uint32_t, int>>, 4> boundaries;
   std::array<std::vector<Membership>, 4> memberships;
+  std::vector<int> face_phases;             // as far as the string model's faces have some
   std::vector<std::uint32_t> turned_edges;  // rows marked `orientation -1`
 
   std::vector<film::Vec3> positions;  // of a vertex on a boundary: its parameters, until they are used

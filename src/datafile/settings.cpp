@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "datafile/phases.h"
 #include "datafile/top_values.h"
 #include "text/suggest.h"
 
@@ -103,7 +104,7 @@ void read_periods(Reading& reading, const Token& word) {
   reading.periods = periods;
 }
 
-constexpr std::array<Setting, 28> setting_table = {{
+constexpr std::array<Setting, 29> setting_table = {{
     {"torus", read_torus},
     {"symmetry_group", read_symmetry_group},
     {"autopop", read_way_of_moving},
@@ -129,6 +130,7 @@ constexpr std::array<Setting, 28> setting_table = {{
     {"constraint_tolerance",
      [](Reading& r, const Token& word) { r.scene.constraint_tolerance = number_after(r, word); }},
     {"interp_bdry_param", [](Reading& r, const Token&) { r.scene.interpolate_parameters = true; }},
+    {"phasefile", read_phasefile},
     {"keep_originals", [](Reading& r, const Token&) { r.keep_originals = true; }},
     {"keep_macros", [](Reading& r, const Token&) { r.keep_macros = true; }},
     {"string", [](Reading& r, const Token&) { r.scene.strings.on = true; }},

@@ -300,6 +300,7 @@ void write_body(std::string& out, const scene::Body& body, std::uint32_t number)
   if (body.fixed_pressure) put("pressure", *body.fixed_pressure);
   if (!body.fixed_pressure && body.pressure != 0) put("lagrange_multiplier", body.pressure);
   if (body.density != 0) put("density", body.density);
+  if (body.phase != 0) put("phase", body.phase);
   if (body.volume_offset != 0) put("volconst", body.volume_offset);
   if (body.original != number) put("original", body.original);
   if (body.ramp) {

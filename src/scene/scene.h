@@ -37,6 +37,7 @@ struct Body {
   std::optional<double> fixed_pressure;  // a prescribed pressure; excludes a target volume
   double pressure = 0;                   // the multiplier of the volume constraint when last solved for
   double density = 0;                    // mass per volume, for gravity
+  int phase = 0;                         // of what is in it; decides tensions when a datafile is read
   double volume_offset = 0;              // added to the volume (the datafile's volconst)
   bool absent = false;
 

@@ -246,6 +246,9 @@ void set_body_density(const Source& source, const Element& b, int, double value)
 void unset_body_density(const Source& source, const Element& b, int) {
   body(source, b).density = 0;
 }
+double body_phase(const Source& source, const Element& b, int) {
+  return body(source, b).phase;
+}
 double volume_constant(const Source& source, const Element& b, int) {
   return body(source, b).volume_offset;
 }
@@ -415,6 +418,7 @@ void add_body_rows(std::deque<AttributeRow>& rows) {
                           unset_body_density));
   rows.push_back(
       computed(kind, "volconst", "constant added to the volume", volume_constant, set_volume_constant));
+  rows.push_back(computed(kind, "phase", "of what is in it; decides tensions in a datafile", body_phase));
   rows.push_back(computed(kind, "original", "its number in the datafile", body_original));
 }
 

@@ -89,6 +89,7 @@ class Lister {
     if (body.fixed_pressure) result += fmt::format(" pressure {:.15g}", *body.fixed_pressure);
     if (body.target_volume) result += fmt::format(" lagrange_multiplier {:.15g}", body.pressure);
     if (body.density != 0) result += fmt::format(" density {:.15g}", body.density);
+    if (body.phase != 0) result += fmt::format(" phase {}", body.phase);
     if (body.volume_offset != 0) result += fmt::format(" volconst {:.15g}", body.volume_offset);
     if (body.original != row + 1) result += fmt::format(" original {}", body.original);
     return result + attributes(row, row + 1) + "\n";

@@ -61,7 +61,8 @@ void tell_events(Session& session, std::span<const surgery::Event> events) {
 }
 
 void finish_topology(Session& session, std::vector<surgery::Event> events) {
-  surgery::settle_regions(session.scene(), events, {});
+  // The regions of the string model are its cells', which keep theirs.
+  if (!session.scene().strings.on) surgery::settle_regions(session.scene(), events, {});
   finish_surgery(session);
   tell_events(session, events);
 }
