@@ -36,6 +36,7 @@ csv=manual/evolver_energies.csv
   row slidestr "$to_the_end"
   row popstr '{hessian} 2'
   row octa '{hessian} 2'
+  row addload_example "$to_the_end"
   row column "$to_the_end"
 } >$csv
 awk -F, '

@@ -22,7 +22,7 @@ constexpr std::string_view printers = "show FILE.pdf or show FILE.svg draws line
 constexpr std::string_view geomview = "there is no window to talk to: show FILE.png draws a picture";
 constexpr std::string_view menus = "it asks questions; its single commands do the same";
 constexpr std::string_view matrices = "matrices are arrays of numbers without a calculus of their own";
-constexpr std::string_view joins = "scenes are loaded one at a time";
+constexpr std::string_view joins = "addload puts a datafile's film beside the present one";
 constexpr std::string_view orders = "rows are put in order without being told";
 
 constexpr Refused table[] = {
@@ -59,7 +59,6 @@ constexpr Refused table[] = {
     {"matrix_multiply", matrices},
     {"matrix_inverse", matrices},
     {"matrix_determinant", matrices},
-    {"addload", joins},
     {"permload", "load replaces the scene, and the commands after it go on"},
     {"replace_load", joins},
     {"loadsub", joins},
