@@ -76,7 +76,9 @@ void append_complex(Film& film, const Film& other, const Offsets& offset) {
 template <class Set>
 NewNumbers append_sets(std::map<int, Set>& sets, const std::map<int, Set>& others) {
   NewNumbers numbers;
-  for (const auto& [number, set] : others) {
+  for (const auto& other : others) {
+    const int number = other.first;
+    const Set& set = other.second;
     const auto same = std::find_if(sets.begin(), sets.end(), [&](const auto& known) {
       return !set.name.empty() && known.second.name == set.name;
     });
