@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "energy/triangle.h"
+#include "evolution/bulge.h"
 #include "film/normals.h"
 #include "film/order.h"
 #include "scene/constraint_sets.h"
@@ -85,6 +86,23 @@ bool spread(const Film& film, std::vector<std::uint8_t>& halve) {
   return changed;
 }
 
+// Halves the chosen edges (all, without flags), their middles where the smooth film is.
+void refine_smoothly(scene::Scene& scene, std::span<const std::uint8_t> halve) {
+  Film& film = scene.film;
+  const auto whole = film.columns(ElementKind::edge).flags("no_refine");
+  const std::uint32_t old_vertices = film.vertex_rows();
+  const std::vector<Vec3> bulge = bulges(film);
+  std::vector<Vec3> moves;
+  for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
+    if ((halve.empty() || halve[e] != 0) && (whole.empty() || whole[e] == 0)) moves.push_back(bulge[e]);
+  }
+  surgery::refine(film, halve);
+  const std::span<Vec3> positions = film.edit_positions();
+  for (std::size_t i = 0; i < moves.size(); ++i) positions[old_vertices + i] += moves[i];
+  scene::settle_vertices(scene, old_vertices);
+  film::restore_spatial_order_if_large(film);
+}
+
 }  // namespace
 
 std::vector<double> facet_errors(const scene::Scene& scene) {
@@ -111,10 +129,7 @@ std::vector<double> facet_errors(const scene::Scene& scene) {
 }
 
 void refine_everywhere(scene::Scene& scene) {
-  const std::uint32_t old_vertices = scene.film.vertex_rows();
-  surgery::refine(scene.film);
-  scene::settle_vertices(scene, old_vertices);
-  film::restore_spatial_order_if_large(scene.film);
+  refine_smoothly(scene, {});
 }
 
 std::uint32_t refine_where_needed(scene::Scene& scene) {
@@ -132,10 +147,7 @@ std::uint32_t refine_where_needed(scene::Scene& scene) {
   while (spread(film, halve)) {
   }
   const std::uint32_t old_facets = film.triangle_rows();
-  const std::uint32_t old_vertices = film.vertex_rows();
-  surgery::refine(film, halve);
-  scene::settle_vertices(scene, old_vertices);
-  film::restore_spatial_order_if_large(film);
+  refine_smoothly(scene, halve);
   return film.triangle_rows() - old_facets;
 }
 

@@ -12,6 +12,7 @@
 #include "solve/saddle.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
+#include "surgery/widen.h"
 
 namespace lamella::evolution {
 
@@ -27,6 +28,7 @@ constexpr long free_iterations = 15;
 constexpr double near = 1e-4;
 // A mesh is fit while no angle is smaller than this (radians); upkeep goes on while it helps.
 constexpr double fit_angle = 20 * M_PI / 180;
+constexpr double wanted_angle = 27 * M_PI / 180;  // some is lost on the way
 constexpr int most_upkeep_passes = 20;
 constexpr int patience = 4;  // passes without a better smallest angle
 constexpr int most_flip_passes = 3;
@@ -135,6 +137,8 @@ bool Relaxer::keep_mesh() {
       if (made == 0) break;
     }
     surgery::average_vertices(scene_.film);
+    if (energy::smallest_angle(scene_.film) < wanted_angle)
+      surgery::widen_angles(scene_.film, wanted_angle);
     scene::constrain_vertices(scene_);
     const double now = energy::smallest_angle(scene_.film);
     if (now > fit_angle) break;
