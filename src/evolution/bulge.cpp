@@ -17,7 +17,8 @@ using film::VertexPlace;
 // An edge that would bulge by more than this part of its length says nothing about curvature.
 constexpr double most = 0.15;
 
-// The cubic that leaves both ends at right angles to the normals there; the parabola where one normal is known.
+// The cubic that leaves both ends at right angles to the normals there; the parabola where one normal is
+// known.
 Vec3 inside(const Vec3& along, const Vec3* at_tail, const Vec3* at_head) {
   const Vec3 tail = at_tail != nullptr ? dot(along, *at_tail) * *at_tail : Vec3{};
   const Vec3 head = at_head != nullptr ? dot(along, *at_head) * *at_head : Vec3{};

@@ -137,8 +137,7 @@ bool Relaxer::keep_mesh() {
       if (made == 0) break;
     }
     surgery::average_vertices(scene_.film);
-    if (energy::smallest_angle(scene_.film) < wanted_angle)
-      surgery::widen_angles(scene_.film, wanted_angle);
+    if (energy::smallest_angle(scene_.film) < wanted_angle) surgery::widen_angles(scene_.film, wanted_angle);
     scene::constrain_vertices(scene_);
     const double now = energy::smallest_angle(scene_.film);
     if (now > fit_angle) break;

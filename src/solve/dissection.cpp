@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
 
 namespace lamella::solve {
 
@@ -10,6 +13,10 @@ namespace {
 using film::Vec3;
 
 constexpr std::size_t small = 200;  // rows of a piece that is not parted further
+constexpr int planes = 200;         // that are tried across each axis
+// Each side has at least this part of the rows; what a seam costs more for parts that are not equal.
+constexpr double least_part = 0.2;
+constexpr double lopsided = 1;
 
 // Who is tied to whom, both ways.
 struct Graph {
@@ -48,13 +55,23 @@ struct Piece {
   int parent = -1;
 };
 
+// The plane where coordinate `axis` is `at`.
+struct Cut {
+  int axis = 0;
+  double at = 0;
+  double cost = HUGE_VAL;
+};
+
 class Dissector {
  public:
   Dissector(const LowerMatrix& pattern, std::span<const Vec3> places)
       : pattern_(pattern),
         places_(places),
         graph_(graph_of(pattern, places.size())),
-        side_(places.size(), -1),
+        side_(places.size(), 0),
+        partner_(places.size(), -1),
+        seen_(places.size()),
+        covered_(places.size()),
         piece_of_(static_cast<std::size_t>(pattern.size())) {}
 
   std::vector<int> run();
@@ -62,14 +79,23 @@ class Dissector {
  private:
   int part(std::span<int> rows);
   int seal(std::span<const int> rows);
-  bool touches(int row, int side) const;
+  template <class Function>
+  void for_each_tie(int row, int side, Function&& function) const;
+  Cut best_cut(std::span<const int> rows, int axis) const;
+  bool match(int row, int high);
+  void reach(int row, int high);
+  void cover(std::span<const int> rows, int high);
   void place_multipliers();
 
   const LowerMatrix& pattern_;
   std::span<const Vec3> places_;
   Graph graph_;
   std::vector<int> side_;  // a mark of the part that a row belongs to at present
-  int next_side_ = 0;
+  int next_side_ = 1;
+  std::vector<int> partner_;
+  std::vector<int> seen_;  // the last round that came by
+  int round_ = 0;
+  std::vector<std::uint8_t> covered_;
   std::vector<Piece> pieces_;
   std::vector<int> piece_of_;
 };
@@ -80,53 +106,124 @@ int Dissector::seal(std::span<const int> rows) {
   return static_cast<int>(pieces_.size()) - 1;
 }
 
-bool Dissector::touches(int row, int side) const {
+template <class Function>
+void Dissector::for_each_tie(int row, int side, Function&& function) const {
   const auto first = static_cast<std::size_t>(graph_.start[static_cast<std::size_t>(row)]);
   const auto last = static_cast<std::size_t>(graph_.start[static_cast<std::size_t>(row) + 1]);
   for (std::size_t i = first; i < last; ++i) {
-    if (side_[static_cast<std::size_t>(graph_.neighbour[i])] == side) return true;
+    const int other = graph_.neighbour[i];
+    if (side_[static_cast<std::size_t>(other)] == side && function(other)) return;
   }
-  return false;
 }
 
-int longest_axis(std::span<const int> rows, std::span<const Vec3> places) {
-  Vec3 low = places[static_cast<std::size_t>(rows[0])];
-  Vec3 high = low;
+// Finds a partner in `high` for a row of the low side, where others may have to take another one.
+bool Dissector::match(int row, int high) {
+  bool found = false;
+  for_each_tie(row, high, [&](int other) {
+    if (std::exchange(seen_[static_cast<std::size_t>(other)], round_) == round_) return false;
+    int& partner = partner_[static_cast<std::size_t>(other)];
+    if (partner >= 0 && !match(partner, high)) return false;
+    partner = row;
+    partner_[static_cast<std::size_t>(row)] = other;
+    return found = true;
+  });
+  return found;
+}
+
+// Marks what an alternating path from a row of the low side without a partner reaches.
+void Dissector::reach(int row, int high) {
+  covered_[static_cast<std::size_t>(row)] = 0;
+  for_each_tie(row, high, [&](int other) {
+    if (std::exchange(covered_[static_cast<std::size_t>(other)], 1) == 1) return false;
+    const int partner = partner_[static_cast<std::size_t>(other)];
+    if (covered_[static_cast<std::size_t>(partner)] == 1) reach(partner, high);
+    return false;
+  });
+}
+
+// Marks the fewest rows without which the two sides have no ties (D. Koenig's theorem: as many as there are
+// rows of one side that can each be matched with another row of the other).
+void Dissector::cover(std::span<const int> rows, int high) {
+  std::vector<int> seam;
   for (const int row : rows) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double x = places[static_cast<std::size_t>(row)][axis];
-      low[axis] = std::min(low[axis], x);
-      high[axis] = std::max(high[axis], x);
-    }
+    bool tied = false;
+    for_each_tie(row, high, [&](int) { return tied = true; });
+    if (tied) seam.push_back(row);
   }
-  const Vec3 size = high - low;
-  if (size.x >= size.y && size.x >= size.z) return 0;
-  return size.y >= size.z ? 1 : 2;
+  for (const int row : seam) {
+    ++round_;
+    match(row, high);
+  }
+  for (const int row : seam) covered_[static_cast<std::size_t>(row)] = 1;
+  for (const int row : seam) {
+    if (partner_[static_cast<std::size_t>(row)] < 0) reach(row, high);
+  }
+}
+
+// How many rows lie below each of many planes across one axis, and how many of those are tied to rows above.
+Cut Dissector::best_cut(std::span<const int> rows, int axis) const {
+  const auto at = [&](int row) { return places_[static_cast<std::size_t>(row)][axis]; };
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (const int row : rows) {
+    low = std::min(low, at(row));
+    high = std::max(high, at(row));
+  }
+  if (!(high > low)) return {};
+  const double scale = planes / (high - low);
+  const auto plane = [&](double x) { return std::min(planes - 1, static_cast<int>((x - low) * scale)); };
+  std::array<int, planes + 1> below{};
+  std::array<int, planes + 1> seam{};
+  for (const int row : rows) {
+    const int own = plane(at(row));
+    int farthest = own;
+    for_each_tie(row, side_[static_cast<std::size_t>(row)], [&](int other) {
+      farthest = std::max(farthest, plane(at(other)));
+      return false;
+    });
+    ++below[static_cast<std::size_t>(own) + 1];
+    ++seam[static_cast<std::size_t>(own) + 1];
+    --seam[static_cast<std::size_t>(farthest) + 1];
+  }
+  Cut best;
+  const auto whole = static_cast<double>(rows.size());
+  for (std::size_t i = 1; i < planes; ++i) {
+    below[i] += below[i - 1];
+    seam[i] += seam[i - 1];
+    const double part = below[i] / whole;
+    if (part < least_part || part > 1 - least_part) continue;
+    const double cost = seam[i] * (1 + lopsided * (2 * part - 1) * (2 * part - 1));
+    if (cost < best.cost) best = {axis, low + static_cast<double>(i) / scale, cost};
+  }
+  return best;
 }
 
 // Numbers the pieces of some rows, the seam between its parts last. Returns that number.
 int Dissector::part(std::span<int> rows) {
   if (rows.size() <= small) return seal(rows);
-  const int axis = longest_axis(rows, places_);
-  const auto at = [&](int row) { return places_[static_cast<std::size_t>(row)][axis]; };
-  const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-  std::nth_element(rows.begin(), middle, rows.end(), [&](int a, int b) { return at(a) < at(b); });
-  const double cut = at(*middle);
-  // Rows at one place stay together.
-  const auto parted = std::partition(rows.begin(), rows.end(), [&](int row) { return at(row) < cut; });
-  if (parted == rows.begin()) return seal(rows);
+  Cut cut;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Cut other = best_cut(rows, axis);
+    if (other.cost < cut.cost) cut = other;
+  }
+  if (cut.cost == HUGE_VAL) return seal(rows);
+  const auto parted = std::partition(rows.begin(), rows.end(), [&](int row) {
+    return places_[static_cast<std::size_t>(row)][cut.axis] < cut.at;
+  });
   const int low = next_side_++;
   const int high = next_side_++;
-  for (auto i = rows.begin(); i != rows.end(); ++i) side_[static_cast<std::size_t>(*i)] = i < parted ? low : high;
-  const auto low_seam = std::partition(rows.begin(), parted, [&](int row) { return !touches(row, high); });
-  const auto high_seam = std::partition(parted, rows.end(), [&](int row) { return touches(row, low); });
-  std::span<int> seam(parted, high_seam);
-  std::span<int> first(rows.begin(), parted);
-  std::span<int> second(high_seam, rows.end());
-  if (parted - low_seam < high_seam - parted) {
-    seam = {low_seam, parted};
-    first = {rows.begin(), low_seam};
-    second = {parted, rows.end()};
+  for (auto i = rows.begin(); i != rows.end(); ++i)
+    side_[static_cast<std::size_t>(*i)] = i < parted ? low : high;
+  cover(std::span<const int>(rows.begin(), parted), high);
+  const auto in_seam = [&](int row) { return covered_[static_cast<std::size_t>(row)] != 0; };
+  const auto low_end = std::partition(rows.begin(), parted, [&](int row) { return !in_seam(row); });
+  const auto high_end = std::partition(parted, rows.end(), in_seam);
+  const std::span<int> seam(low_end, high_end);
+  const std::span<int> first(rows.begin(), low_end);
+  const std::span<int> second(high_end, rows.end());
+  for (const int row : rows) {
+    covered_[static_cast<std::size_t>(row)] = 0;
+    partner_[static_cast<std::size_t>(row)] = -1;
   }
   for (const int row : seam) side_[static_cast<std::size_t>(row)] = -1;
   std::array<int, 2> below{-1, -1};
@@ -163,7 +260,8 @@ std::vector<int> Dissector::run() {
   part(rows);
   place_multipliers();
   // Multipliers come after the rows of their piece.
-  for (std::size_t i = 0; i < piece_of_.size(); ++i) piece_of_[i] = 2 * piece_of_[i] + (i < rows.size() ? 0 : 1);
+  for (std::size_t i = 0; i < piece_of_.size(); ++i)
+    piece_of_[i] = 2 * piece_of_[i] + (i < rows.size() ? 0 : 1);
   return piece_of_;
 }
 

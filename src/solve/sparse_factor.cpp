@@ -60,8 +60,8 @@ cholmod_sparse as_cholmod(const LowerMatrix& matrix) {
 
 }  // namespace
 
-// Minimum degree is found at once but leaves more work than dissection on large films; dissection by places is
-// found almost as fast.
+// Minimum degree is found at once but leaves more work than dissection on large films; dissection by places
+// is found almost as fast.
 SparseFactor::SparseFactor(const LowerMatrix& pattern, std::span<const film::Vec3> places)
     : work_(std::make_unique<Work>()) {
   cholmod_sparse a = as_cholmod(pattern);

@@ -115,7 +115,8 @@ std::vector<Vertex> near_small_angles(const Film& film, double limit) {
     const auto& corners = film.corners(Triangle(t));
     if (!corners[0].valid()) continue;
     const std::array<Vec3, 3> p = film.points(Triangle(t));
-    if (energy::largest_cotangent(p[0], p[1], p[2]) > limit) result.insert(result.end(), corners.begin(), corners.end());
+    if (energy::largest_cotangent(p[0], p[1], p[2]) > limit)
+      result.insert(result.end(), corners.begin(), corners.end());
   }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
