@@ -13,6 +13,8 @@ namespace {
 constexpr double coarse_tolerance = 1e-8;
 // Errors fall by no less than this, whatever an odd pair of levels says.
 constexpr double slowest = 0.9;
+// What may be wrong in the sum of the facets' own estimates.
+constexpr double doubt = 0.1;
 // Levels that agree to this are the same film.
 constexpr double rounding = 1e-13;
 
@@ -84,6 +86,25 @@ LevelsReport relax_levels(scene::Scene& scene, long levels, const RelaxOptions& 
   return ladder.report();
 }
 
+namespace {
+
+// Levels that were refined in part only do not follow a rule: what the mesh itself tells counts as well.
+// Curves and corners that it does not resolve hide from that, and the levels know.
+void mend(Extrapolation& extrapolation, const scene::Scene& scene, double last) {
+  double whole = 0;
+  double sizes = 0;
+  for (const FacetError& error : facet_errors(scene)) {
+    whole += error.inside + error.rim;
+    sizes += error.size();
+  }
+  const double seen = (std::abs(whole) + doubt * sizes) / std::abs(last);
+  if (seen < extrapolation.estimate) return;
+  extrapolation.estimate = seen;
+  extrapolation.energy = last - whole;
+}
+
+}  // namespace
+
 LevelsReport relax_to(scene::Scene& scene, double accuracy, double most_facets, const RelaxOptions& options,
                       scene::Monitor& monitor) {
   Ladder ladder(scene, options, monitor);
@@ -91,6 +112,7 @@ LevelsReport relax_to(scene::Scene& scene, double accuracy, double most_facets, 
   const double tolerance = std::min(coarse_tolerance, 0.01 * accuracy);
   while (ladder.relax_level(tolerance)) {
     report.extrapolation = extrapolate(report.levels);
+    if (report.extrapolation) mend(*report.extrapolation, scene, report.relax.energy);
     report.accurate = report.extrapolation && report.extrapolation->estimate < accuracy;
     if (report.accurate) break;
     // No level makes more than four facets of one.
