@@ -199,6 +199,13 @@ double cost_after(const Film& film, std::span<const FacetError> errors, std::spa
 }  // namespace
 
 void refine_everywhere(scene::Scene& scene) {
+  const std::uint32_t old_vertices = scene.film.vertex_rows();
+  surgery::refine(scene.film);
+  scene::settle_vertices(scene, old_vertices);
+  film::restore_spatial_order_if_large(scene.film);
+}
+
+void refine_smoothly(scene::Scene& scene) {
   refine_smoothly(scene, {});
 }
 

@@ -29,6 +29,10 @@ double energy_error(const scene::Scene& scene);
 // Halves every edge; new vertices on a curve are put on it.
 void refine_everywhere(scene::Scene& scene);
 
+// The same for a film near its equilibrium: new vertices go where the smooth film is that the facets stand
+// for (evolution/bulge.h), which leaves Newton's method a step or two less.
+void refine_smoothly(scene::Scene& scene);
+
 // Halves the edges of the facets with the largest errors, and those of neighbours where that keeps the facets
 // well shaped: all that are not yet several times better than the worst. Where that promises less than to
 // halve all, which is so where rims and curvature make up for each other, it halves all. New vertices on a

@@ -79,7 +79,7 @@ LevelsReport relax_levels(scene::Scene& scene, long levels, const RelaxOptions& 
   Ladder ladder(scene, options, monitor);
   for (long level = 0; level < levels; ++level) {
     if (!ladder.relax_level(coarse_tolerance)) return ladder.report();
-    refine_everywhere(scene);
+    refine_smoothly(scene);
   }
   ladder.relax_level(0);
   ladder.report().extrapolation = extrapolate(ladder.report().levels);
