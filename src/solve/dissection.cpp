@@ -12,8 +12,7 @@ namespace {
 
 using film::Vec3;
 
-constexpr std::size_t small = 200;  // rows of a piece that is not parted further
-constexpr int planes = 200;         // that are tried across each axis
+constexpr int planes = 200;  // that are tried across each axis
 // Each side has at least this part of the rows; what a seam costs more for parts that are not equal.
 constexpr double least_part = 0.2;
 constexpr double lopsided = 1;
@@ -50,11 +49,6 @@ Graph graph_of(const LowerMatrix& pattern, std::size_t rows) {
   return graph;
 }
 
-// A seam, or a piece that was not parted; its number is its place in the order of elimination.
-struct Piece {
-  int parent = -1;
-};
-
 // The plane where coordinate `axis` is `at`.
 struct Cut {
   int axis = 0;
@@ -64,9 +58,10 @@ struct Cut {
 
 class Dissector {
  public:
-  Dissector(const LowerMatrix& pattern, std::span<const Vec3> places)
+  Dissector(const LowerMatrix& pattern, std::span<const Vec3> places, std::size_t small)
       : pattern_(pattern),
         places_(places),
+        small_(small),
         graph_(graph_of(pattern, places.size())),
         side_(places.size(), 0),
         partner_(places.size(), -1),
@@ -74,7 +69,7 @@ class Dissector {
         covered_(places.size()),
         piece_of_(static_cast<std::size_t>(pattern.size())) {}
 
-  std::vector<int> run();
+  Dissection run();
 
  private:
   int part(std::span<int> rows);
@@ -86,9 +81,11 @@ class Dissector {
   void reach(int row, int high);
   void cover(std::span<const int> rows, int high);
   void place_multipliers();
+  Dissection numbered() const;
 
   const LowerMatrix& pattern_;
   std::span<const Vec3> places_;
+  std::size_t small_;
   Graph graph_;
   std::vector<int> side_;  // a mark of the part that a row belongs to at present
   int next_side_ = 1;
@@ -96,14 +93,14 @@ class Dissector {
   std::vector<int> seen_;  // the last round that came by
   int round_ = 0;
   std::vector<std::uint8_t> covered_;
-  std::vector<Piece> pieces_;
+  std::vector<int> parent_;  // of each piece
   std::vector<int> piece_of_;
 };
 
 int Dissector::seal(std::span<const int> rows) {
-  for (const int row : rows) piece_of_[static_cast<std::size_t>(row)] = static_cast<int>(pieces_.size());
-  pieces_.push_back({});
-  return static_cast<int>(pieces_.size()) - 1;
+  for (const int row : rows) piece_of_[static_cast<std::size_t>(row)] = static_cast<int>(parent_.size());
+  parent_.push_back(-1);
+  return static_cast<int>(parent_.size()) - 1;
 }
 
 template <class Function>
@@ -200,7 +197,7 @@ Cut Dissector::best_cut(std::span<const int> rows, int axis) const {
 
 // Numbers the pieces of some rows, the seam between its parts last. Returns that number.
 int Dissector::part(std::span<int> rows) {
-  if (rows.size() <= small) return seal(rows);
+  if (rows.size() <= small_) return seal(rows);
   Cut cut;
   for (int axis = 0; axis < 3; ++axis) {
     const Cut other = best_cut(rows, axis);
@@ -231,44 +228,67 @@ int Dissector::part(std::span<int> rows) {
   if (!second.empty()) below[1] = part(second);
   const int piece = seal(seam);
   for (const int part : below) {
-    if (part >= 0) pieces_[static_cast<std::size_t>(part)].parent = piece;
+    if (part >= 0) parent_[static_cast<std::size_t>(part)] = piece;
   }
   return piece;
 }
 
-// To the lowest piece that is above all the pieces of the rows a multiplier is tied to.
+// Multipliers go between the lowest piece that is above all the pieces of the rows they are tied to, and its
+// parent.
 void Dissector::place_multipliers() {
-  std::vector<int> highest(piece_of_.size(), -1);
+  std::vector<int> highest(piece_of_.size() - places_.size(), -1);
   for (std::size_t j = 0; j < places_.size(); ++j) {
     const auto last = static_cast<std::size_t>(pattern_.column_start[j + 1]);
     for (auto at = static_cast<std::size_t>(pattern_.column_start[j]); at < last; ++at) {
       const auto i = static_cast<std::size_t>(pattern_.row[at]);
       if (i < places_.size()) continue;
-      int a = highest[i] < 0 ? piece_of_[j] : highest[i];
+      int& a = highest[i - places_.size()];
       int b = piece_of_[j];
-      while (a != b) (a < b ? a : b) = pieces_[static_cast<std::size_t>(std::min(a, b))].parent;
-      highest[i] = a;
+      if (a < 0) a = b;
+      while (a != b) (a < b ? a : b) = parent_[static_cast<std::size_t>(std::min(a, b))];
     }
   }
-  for (std::size_t i = places_.size(); i < piece_of_.size(); ++i)
-    piece_of_[i] = highest[i] < 0 ? static_cast<int>(pieces_.size()) - 1 : highest[i];
+  const int last = static_cast<int>(parent_.size()) - 1;
+  for (std::size_t i = 0; i < highest.size(); ++i)
+    piece_of_[places_.size() + i] = highest[i] < 0 ? last : highest[i];
 }
 
-std::vector<int> Dissector::run() {
+// Splits off the multipliers of each piece.
+Dissection Dissector::numbered() const {
+  const std::size_t count = parent_.size();
+  std::vector<std::uint8_t> has_multipliers(count);
+  for (std::size_t i = places_.size(); i < piece_of_.size(); ++i)
+    has_multipliers[static_cast<std::size_t>(piece_of_[i])] = 1;
+  std::vector<int> number(count);
+  Dissection result;
+  for (std::size_t p = 0; p < count; ++p) {
+    number[p] = static_cast<int>(result.parent.size());
+    result.parent.push_back(number[p] + 1);  // its multipliers
+    if (has_multipliers[p] != 0) result.parent.push_back(-1);
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+    const auto own = static_cast<std::size_t>(number[p] + has_multipliers[p]);
+    result.parent[own] = parent_[p] < 0 ? -1 : number[static_cast<std::size_t>(parent_[p])];
+  }
+  for (std::size_t i = 0; i < piece_of_.size(); ++i) {
+    const auto p = static_cast<std::size_t>(piece_of_[i]);
+    result.piece.push_back(number[p] + (i < places_.size() ? 0 : has_multipliers[p]));
+  }
+  return result;
+}
+
+Dissection Dissector::run() {
   std::vector<int> rows(places_.size());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<int>(i);
   part(rows);
   place_multipliers();
-  // Multipliers come after the rows of their piece.
-  for (std::size_t i = 0; i < piece_of_.size(); ++i)
-    piece_of_[i] = 2 * piece_of_[i] + (i < rows.size() ? 0 : 1);
-  return piece_of_;
+  return numbered();
 }
 
 }  // namespace
 
-std::vector<int> dissection(const LowerMatrix& pattern, std::span<const Vec3> places) {
-  return Dissector(pattern, places).run();
+Dissection dissection(const LowerMatrix& pattern, std::span<const Vec3> places, std::size_t small) {
+  return Dissector(pattern, places, small).run();
 }
 
 }  // namespace lamella::solve

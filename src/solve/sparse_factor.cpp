@@ -1,16 +1,18 @@
 #include "solve/sparse_factor.h"
 
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include <cholmod.h>
 
-#include "solve/dissection.h"
+#include "solve/frontal_factor.h"
 
 namespace lamella::solve {
 
 struct SparseFactor::Work {
   cholmod_common common{};
+  std::optional<FrontalFactor> fronts;  // or else the rest
   cholmod_factor* factor = nullptr;
   cholmod_dense* solution = nullptr;  // kept between solves, as are the two below
   cholmod_dense* work_y = nullptr;
@@ -39,7 +41,8 @@ struct SparseFactor::Work {
 
 namespace {
 
-constexpr int large = 3000;  // rows above which dissection pays
+constexpr int large = 2000;       // rows above which fronts pay
+constexpr std::size_t leaf = 32;  // rows of the smallest fronts
 
 // A view of the matrix; CHOLMOD reads it only.
 cholmod_sparse as_cholmod(const LowerMatrix& matrix) {
@@ -60,21 +63,16 @@ cholmod_sparse as_cholmod(const LowerMatrix& matrix) {
 
 }  // namespace
 
-// Minimum degree is found at once but leaves more work than dissection on large films; dissection by places
-// is found almost as fast.
+// Minimum degree and scalar columns are fastest for small matrices, dissection and dense fronts for large
+// ones.
 SparseFactor::SparseFactor(const LowerMatrix& pattern, std::span<const film::Vec3> places)
     : work_(std::make_unique<Work>()) {
-  cholmod_sparse a = as_cholmod(pattern);
-  cholmod_common& common = work_->common;
-  std::vector<int> order;
   if (!places.empty() && pattern.size() > large) {
-    order.resize(static_cast<std::size_t>(pattern.size()));
-    std::vector<int> pieces = dissection(pattern, places);
-    common.method[0].ordering = CHOLMOD_GIVEN;
-    if (cholmod_camd(&a, nullptr, 0, pieces.data(), order.data(), &common) == 0) order.clear();
+    work_->fronts.emplace(pattern, dissection(pattern, places, leaf));
+    return;
   }
-  if (order.empty()) common.method[0].ordering = CHOLMOD_AMD;
-  work_->factor = cholmod_analyze_p(&a, order.empty() ? nullptr : order.data(), nullptr, 0, &common);
+  cholmod_sparse a = as_cholmod(pattern);
+  work_->factor = cholmod_analyze(&a, &work_->common);
 }
 
 SparseFactor::~SparseFactor() = default;
@@ -82,6 +80,7 @@ SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
 SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
 
 bool SparseFactor::factorise(const LowerMatrix& matrix) {
+  if (work_->fronts) return work_->fronts->factorise(matrix);
   cholmod_sparse a = as_cholmod(matrix);
   if (work_->factor == nullptr || cholmod_factorize(&a, work_->factor, &work_->common) == 0) return false;
   return work_->common.status == CHOLMOD_OK && work_->factor->minor == work_->factor->n;
@@ -89,6 +88,7 @@ bool SparseFactor::factorise(const LowerMatrix& matrix) {
 
 // In a simplicial L D L^T factor each column begins with its entry of D.
 int SparseFactor::negative_pivots() const {
+  if (work_->fronts) return work_->fronts->negative_pivots();
   const cholmod_factor& f = *work_->factor;
   const int* start = static_cast<const int*>(f.p);
   const double* value = static_cast<const double*>(f.x);
@@ -99,6 +99,7 @@ int SparseFactor::negative_pivots() const {
 
 void SparseFactor::solve(std::span<double> values, int columns) {
   if (values.empty()) return;
+  if (work_->fronts) return work_->fronts->solve(values, columns);
   cholmod_dense b{};
   b.nrow = values.size() / static_cast<std::size_t>(columns);
   b.ncol = static_cast<std::size_t>(columns);

@@ -7,18 +7,9 @@
 #include <vector>
 
 #include "film/vec3.h"
+#include "solve/lower_matrix.h"
 
 namespace lamella::solve {
-
-// The lower triangle of a symmetric matrix by columns (compressed): the diagonal entry comes first in each
-// column.
-struct LowerMatrix {
-  std::vector<int> column_start;  // one more than there are columns
-  std::vector<int> row;
-  std::vector<double> value;
-
-  int size() const { return static_cast<int>(column_start.size()) - 1; }
-};
 
 // The symbolic part is made once for a pattern, and kept while only values change.
 class SparseFactor {

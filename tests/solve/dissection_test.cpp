@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "solve/sparse_factor.h"
+
 namespace lamella::solve {
 namespace {
 
@@ -42,7 +44,7 @@ Grid grid(int n, const std::vector<std::pair<int, int>>& multipliers = {}) {
 // removing the last piece must leave parts without ties.
 TEST(Dissection, TheLastSeamPartsTheRest) {
   const Grid g = grid(60);
-  const std::vector<int> piece = dissection(g.matrix, g.places);
+  const std::vector<int> piece = dissection(g.matrix, g.places, 200).piece;
   ASSERT_EQ(piece.size(), g.places.size());
   const int last = *std::max_element(piece.begin(), piece.end());
   const auto seam = std::count(piece.begin(), piece.end(), last);
@@ -72,7 +74,7 @@ TEST(Dissection, TheLastSeamPartsTheRest) {
 
 TEST(Dissection, MultipliersFollowAllTheyAreTiedTo) {
   const Grid g = grid(60, {{0, 60}, {0, 5}, {20, 40}});
-  const std::vector<int> piece = dissection(g.matrix, g.places);
+  const std::vector<int> piece = dissection(g.matrix, g.places, 200).piece;
   for (std::size_t j = 0; j < g.places.size(); ++j) {
     for (int at = g.matrix.column_start[j]; at < g.matrix.column_start[j + 1]; ++at) {
       const auto row = static_cast<std::size_t>(g.matrix.row[static_cast<std::size_t>(at)]);
@@ -86,9 +88,9 @@ TEST(Dissection, MultipliersFollowAllTheyAreTiedTo) {
 TEST(Dissection, RowsAtOnePlaceAndNoRowsAtAll) {
   Grid g = grid(20);
   std::fill(g.places.begin(), g.places.end(), film::Vec3{1, 1, 1});
-  for (const int piece : dissection(g.matrix, g.places)) EXPECT_EQ(piece, 0);
+  for (const int piece : dissection(g.matrix, g.places, 200).piece) EXPECT_EQ(piece, 0);
   const LowerMatrix one{{0, 1}, {0}, {1.0}};
-  EXPECT_EQ(dissection(one, {}).size(), 1U);
+  EXPECT_EQ(dissection(one, {}, 200).piece.size(), 1U);
 }
 
 // The order must not matter for what is solved.
