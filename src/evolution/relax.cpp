@@ -79,6 +79,7 @@ class Relaxer {
   bool going() const { return report_.ending == Ending::converged || report_.ending == Ending::step_limit; }
   bool exhausted() const { return report_.iterations >= options_.most_iterations; }
   bool far_from_end() const { return report_.residual > near; }
+  bool settled() const { return options_.near_start || std::abs(report_.residual) < newton_near; }
   bool keep_mesh();
   bool start_near();
   void approach();
@@ -137,7 +138,9 @@ bool Relaxer::keep_mesh() {
       if (made == 0) break;
     }
     surgery::average_vertices(scene_.film);
-    if (energy::smallest_angle(scene_.film) < wanted_angle) surgery::widen_angles(scene_.film, wanted_angle);
+    // Far from the end that would keep a neck fit while it vanishes.
+    if (settled() && energy::smallest_angle(scene_.film) < wanted_angle)
+      surgery::widen_angles(scene_.film, wanted_angle);
     scene::constrain_vertices(scene_);
     const double now = energy::smallest_angle(scene_.film);
     if (now > fit_angle) break;

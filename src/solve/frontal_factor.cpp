@@ -8,8 +8,10 @@ namespace lamella::solve {
 
 namespace {
 
-constexpr Eigen::Index block = 48;    // columns eliminated at a time
-constexpr double worth_a_task = 2e5;  // multiplications of a branch
+constexpr Eigen::Index block = 48;  // columns eliminated at a time
+// Multiplications of a branch, and of all of them, from which on it pays to share them out.
+constexpr double worth_a_task = 2e5;
+constexpr double worth_threads = 1e8;
 
 using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using Index = Eigen::Index;
@@ -69,7 +71,7 @@ bool eliminate_panel(Matrix panel, Matrix update) {
 }  // namespace
 
 FrontalFactor::FrontalFactor(const LowerMatrix& pattern, const Dissection& pieces)
-    : fronts_(pieces.parent.size()), order_(at(pattern.size())), scratch_(at(pattern.size())) {
+    : fronts_(pieces.parent.size()), order_(at(pattern.size())) {
   find_rows(pattern, pieces);
   find_entries(pattern, pieces);
 }
@@ -109,6 +111,7 @@ void FrontalFactor::find_rows(const LowerMatrix& pattern, const Dissection& piec
               [&](int a, int b) { return order_[at(a)] < order_[at(b)]; });
     front.work += static_cast<double>(front.own) * static_cast<double>(front.size() * front.size());
     front.panel.resize(front.size() * at(front.own));
+    if (front.parent < 0) work_ += front.work;
   }
 }
 
@@ -177,7 +180,7 @@ void FrontalFactor::climb(int f, const LowerMatrix& matrix) {
 }
 
 bool FrontalFactor::factorise(const LowerMatrix& matrix) {
-#pragma omp parallel
+#pragma omp parallel if (work_ > worth_threads)
 #pragma omp single
   for (std::size_t f = 0; f < fronts_.size(); ++f) {
     if (fronts_[f].parent < 0) climb(static_cast<int>(f), matrix);

@@ -53,7 +53,7 @@ class FrontalFactor {
 
   std::vector<Front> fronts_;
   std::vector<int> order_;  // of each row in the elimination
-  std::vector<double> scratch_;
+  double work_ = 0;
 };
 
 }  // namespace lamella::solve
