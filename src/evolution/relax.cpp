@@ -12,6 +12,8 @@
 #include "solve/saddle.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
+#include "surgery/remesh.h"
+#include "surgery/sizing.h"
 #include "surgery/widen.h"
 
 namespace lamella::evolution {
@@ -45,6 +47,10 @@ constexpr int most_departures = 5;
 constexpr double vanishing = 1e-6;
 constexpr double shrunk = 1e-2;
 constexpr double hopeless_angle = 2 * M_PI / 180;
+// A film with volumes to keep may only have a mesh that vanishes: it gets a new one, so many times.
+constexpr int most_new_meshes = 3;
+constexpr int remesh_rounds = 10;
+constexpr surgery::RemeshOptions band{1.4, 0.7, 0.05, 0.15, 1};
 
 struct FacetSizes {
   double smallest = HUGE_VAL;
@@ -86,6 +92,7 @@ class Relaxer {
   void tidy();
   void finish();
   bool find_collapse();
+  bool make_new_mesh();
   bool newton();
   bool leave();
 
@@ -94,6 +101,7 @@ class Relaxer {
   scene::Monitor& monitor_;
   RelaxReport report_;
   FacetSizes at_start_;
+  int new_meshes_ = 0;
 };
 
 bool Relaxer::meet_targets() {
@@ -223,9 +231,29 @@ bool Relaxer::find_collapse() {
   const bool vanishes =
       sizes.smallest < vanishing * sizes.mean && sizes.smallest < shrunk * at_start_.smallest;
   if (!gone && !(vanishes && energy::smallest_angle(scene_.film) < hopeless_angle)) return false;
+  if (!gone && make_new_mesh()) return false;
   report_.ending = Ending::collapsed;
   report_.pinch = scene_.film.position(scene_.film.corners(sizes.which)[0]);
   return true;
+}
+
+// Of edges about as long as those around each place are now. False if that is not called for, or fails.
+bool Relaxer::make_new_mesh() {
+  const bool wanted = options_.upkeep && scene_.has_fixed_volume() && !scene_.film.periodic();
+  if (!wanted || new_meshes_++ == most_new_meshes) return false;
+  film::Columns& columns = scene_.film.columns(film::ElementKind::vertex);
+  const bool sized = columns.find(surgery::size_column) != nullptr;
+  for (int round = 0; round < remesh_rounds; ++round) {
+    surgery::keep_sizes(scene_.film);
+    const surgery::RemeshReport made = surgery::remesh(scene_, band);
+    scene_.film.compact();
+    if (made.operations() == 0) break;
+  }
+  if (!sized) columns.remove(surgery::size_column);
+  scene::constrain_vertices(scene_);
+  keep_mesh();
+  at_start_ = facet_sizes(scene_.film);
+  return going();
 }
 
 // Down from a saddle. False if there is no way, or no wish.

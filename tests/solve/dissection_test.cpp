@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include "solve/sparse_factor.h"
 
@@ -93,15 +94,21 @@ TEST(Dissection, RowsAtOnePlaceAndNoRowsAtAll) {
   EXPECT_EQ(dissection(one, {}, 200).piece.size(), 1U);
 }
 
-// The order must not matter for what is solved.
-TEST(Dissection, FactorisesTheSameMatrix) {
-  Grid g = grid(70);
+// Definite, as a film's Laplacian.
+Grid definite_grid(int n) {
+  Grid g = grid(n);
   for (std::size_t j = 0; j < g.places.size(); ++j) {
     const auto first = static_cast<std::size_t>(g.matrix.column_start[j]);
     const auto last = static_cast<std::size_t>(g.matrix.column_start[j + 1]);
     g.matrix.value[first] = 4.5;
     for (std::size_t at = first + 1; at < last; ++at) g.matrix.value[at] = -1;
   }
+  return g;
+}
+
+// The order must not matter for what is solved.
+TEST(Dissection, FactorisesTheSameMatrix) {
+  const Grid g = definite_grid(70);
   SparseFactor ordered(g.matrix, g.places);
   SparseFactor plain(g.matrix);
   ASSERT_TRUE(ordered.factorise(g.matrix));
@@ -113,6 +120,23 @@ TEST(Dissection, FactorisesTheSameMatrix) {
   plain.solve(b, 1);
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-10);
   EXPECT_EQ(ordered.negative_pivots(), plain.negative_pivots());
+}
+
+// To the bit.
+TEST(Dissection, ThreadsChangeNothing) {
+  const Grid g = definite_grid(230);
+  std::vector<std::vector<double>> solutions;
+  for (const int threads : {1, 2, 3}) {
+    omp_set_num_threads(threads);
+    SparseFactor factor(g.matrix, g.places);
+    ASSERT_TRUE(factor.factorise(g.matrix));
+    solutions.emplace_back(g.places.size());
+    for (std::size_t i = 0; i < g.places.size(); ++i)
+      solutions.back()[i] = static_cast<double>(i * 7919 % 101);
+    factor.solve(solutions.back(), 1);
+  }
+  EXPECT_EQ(solutions[0], solutions[1]);
+  EXPECT_EQ(solutions[0], solutions[2]);
 }
 
 }  // namespace
