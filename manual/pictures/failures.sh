@@ -10,7 +10,7 @@ files=$here/../../datafiles/difficult
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 csv=$here/failures.csv
-seconds=30  # of each method
+seconds=${limit:-10}  # of processor time for each method
 echo 'scene,method,outcome,energy,smallest angle,cpu seconds' > "$csv"
 
 # Reads what a run printed; adds a line for it.
@@ -35,7 +35,7 @@ note() {  # scene, method
 }
 
 timed() {
-  { TIMEFORMAT='user %U'; export TIMEFORMAT; bash -c 'time timeout '"$seconds"' "$@"' timed "$@"; } 2>&1 || true
+  bash -c 'TIMEFORMAT="user %U"; ulimit -t "$0"; time timeout 600 "$@"' "$seconds" "$@" 2>&1 || true
 }
 
 # The smallest angle of a facet, in degrees, as Surface Evolver can tell it.
