@@ -44,6 +44,11 @@ bool held(const Film& film, Edge e) {
   return !fixed.empty() && fixed[film.ends(e)[0].index] != 0 && fixed[film.ends(e)[1].index] != 0;
 }
 
+bool is_wire(const Film& film, Edge e) {
+  const auto fixed = film.columns(ElementKind::edge).flags("fixed");
+  return !fixed.empty() && fixed[e.index] != 0;
+}
+
 // The direction from the edge into the film of a side, square to the edge.
 Vec3 conormal(const Film& film, Side s, const Vec3& axis) {
   const Vec3 d = film::apex_direction(film, s);
@@ -75,9 +80,11 @@ PlateauAngles plateau_angles(const Film& film) {
     const Edge e(i);
     if (!film.alive(e)) continue;
     const int films = film.valence(e);
-    if (films < 3 || held(film, e)) continue;
+    if (films < 3) continue;
+    // Not of a wire, even where the mesh is so coarse that nothing of the border can move yet.
+    if (films > 3 && !is_wire(film, e)) ++result.other_borders;
+    if (held(film, e)) continue;
     if (films == 3) add_border(film, e, triple);
-    if (films > 3) ++result.other_borders;
     for (const Vertex v : film.ends(e)) {
       if (borders_at[v.index] < 255) ++borders_at[v.index];
       if (films > 3) odd_at[v.index] = 1;

@@ -13,6 +13,9 @@ namespace {
 constexpr double coarse_tolerance = 1e-8;
 // Errors fall by no less than this, whatever an odd pair of levels says.
 constexpr double slowest = 0.9;
+// What may be wrong in the sum of the facets' own estimates.
+constexpr double doubt = 0.1;
+constexpr double nearly_four = 3.8;
 // Levels that agree to this are the same film.
 constexpr double rounding = 1e-13;
 
@@ -77,12 +80,38 @@ LevelsReport relax_levels(scene::Scene& scene, long levels, const RelaxOptions& 
   Ladder ladder(scene, options, monitor);
   for (long level = 0; level < levels; ++level) {
     if (!ladder.relax_level(coarse_tolerance)) return ladder.report();
-    refine_everywhere(scene);
+    refine_smoothly(scene);
   }
   ladder.relax_level(0);
   ladder.report().extrapolation = extrapolate(ladder.report().levels);
   return ladder.report();
 }
+
+namespace {
+
+// True if the last levels are refined everywhere, or nearly.
+bool regular(const std::vector<Level>& levels) {
+  const std::size_t n = levels.size();
+  return levels[n - 1].facets > nearly_four * levels[n - 2].facets &&
+         levels[n - 2].facets > nearly_four * levels[n - 3].facets;
+}
+
+// Levels that were refined in part do not follow a rule, and what the mesh itself tells stands in for them.
+// Curves and corners that it does not resolve hide from that, so the estimate is the worse one.
+void mend(Extrapolation& extrapolation, const scene::Scene& scene, const std::vector<Level>& levels) {
+  double whole = 0;
+  double sizes = 0;
+  for (const FacetError& error : facet_errors(scene)) {
+    whole += error.inside + error.rim;
+    sizes += error.size();
+  }
+  const double last = levels.back().energy;
+  if (!regular(levels)) extrapolation.energy = last - whole;
+  extrapolation.estimate =
+      std::max(extrapolation.estimate, (std::abs(whole) + doubt * sizes) / std::abs(last));
+}
+
+}  // namespace
 
 LevelsReport relax_to(scene::Scene& scene, double accuracy, double most_facets, const RelaxOptions& options,
                       scene::Monitor& monitor) {
@@ -91,6 +120,7 @@ LevelsReport relax_to(scene::Scene& scene, double accuracy, double most_facets, 
   const double tolerance = std::min(coarse_tolerance, 0.01 * accuracy);
   while (ladder.relax_level(tolerance)) {
     report.extrapolation = extrapolate(report.levels);
+    if (report.extrapolation) mend(*report.extrapolation, scene, report.levels);
     report.accurate = report.extrapolation && report.extrapolation->estimate < accuracy;
     if (report.accurate) break;
     // No level makes more than four facets of one.

@@ -12,6 +12,9 @@
 #include "solve/saddle.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
+#include "surgery/remesh.h"
+#include "surgery/sizing.h"
+#include "surgery/widen.h"
 
 namespace lamella::evolution {
 
@@ -27,6 +30,7 @@ constexpr long free_iterations = 15;
 constexpr double near = 1e-4;
 // A mesh is fit while no angle is smaller than this (radians); upkeep goes on while it helps.
 constexpr double fit_angle = 20 * M_PI / 180;
+constexpr double wanted_angle = 27 * M_PI / 180;  // some is lost on the way
 constexpr int most_upkeep_passes = 20;
 constexpr int patience = 4;  // passes without a better smallest angle
 constexpr int most_flip_passes = 3;
@@ -43,6 +47,10 @@ constexpr int most_departures = 5;
 constexpr double vanishing = 1e-6;
 constexpr double shrunk = 1e-2;
 constexpr double hopeless_angle = 2 * M_PI / 180;
+// A film with volumes to keep may only have a mesh that vanishes: it gets a new one, so many times.
+constexpr int most_new_meshes = 3;
+constexpr int remesh_rounds = 10;
+constexpr surgery::RemeshOptions band{1.4, 0.7, 0.05, 0.15, 1};
 
 struct FacetSizes {
   double smallest = HUGE_VAL;
@@ -77,12 +85,14 @@ class Relaxer {
   bool going() const { return report_.ending == Ending::converged || report_.ending == Ending::step_limit; }
   bool exhausted() const { return report_.iterations >= options_.most_iterations; }
   bool far_from_end() const { return report_.residual > near; }
+  bool settled() const { return options_.near_start || std::abs(report_.residual) < newton_near; }
   bool keep_mesh();
   bool start_near();
   void approach();
   void tidy();
   void finish();
   bool find_collapse();
+  bool make_new_mesh();
   bool newton();
   bool leave();
 
@@ -91,6 +101,7 @@ class Relaxer {
   scene::Monitor& monitor_;
   RelaxReport report_;
   FacetSizes at_start_;
+  int new_meshes_ = 0;
 };
 
 bool Relaxer::meet_targets() {
@@ -135,6 +146,9 @@ bool Relaxer::keep_mesh() {
       if (made == 0) break;
     }
     surgery::average_vertices(scene_.film);
+    // Far from the end that would keep a neck fit while it vanishes.
+    if (settled() && energy::smallest_angle(scene_.film) < wanted_angle)
+      surgery::widen_angles(scene_.film, wanted_angle);
     scene::constrain_vertices(scene_);
     const double now = energy::smallest_angle(scene_.film);
     if (now > fit_angle) break;
@@ -217,9 +231,29 @@ bool Relaxer::find_collapse() {
   const bool vanishes =
       sizes.smallest < vanishing * sizes.mean && sizes.smallest < shrunk * at_start_.smallest;
   if (!gone && !(vanishes && energy::smallest_angle(scene_.film) < hopeless_angle)) return false;
+  if (!gone && make_new_mesh()) return false;
   report_.ending = Ending::collapsed;
   report_.pinch = scene_.film.position(scene_.film.corners(sizes.which)[0]);
   return true;
+}
+
+// Of edges about as long as those around each place are now. False if that is not called for, or fails.
+bool Relaxer::make_new_mesh() {
+  const bool wanted = options_.upkeep && scene_.has_fixed_volume() && !scene_.film.periodic();
+  if (!wanted || new_meshes_++ == most_new_meshes) return false;
+  film::Columns& columns = scene_.film.columns(film::ElementKind::vertex);
+  const bool sized = columns.find(surgery::size_column) != nullptr;
+  for (int round = 0; round < remesh_rounds; ++round) {
+    surgery::keep_sizes(scene_.film);
+    const surgery::RemeshReport made = surgery::remesh(scene_, band);
+    scene_.film.compact();
+    if (made.operations() == 0) break;
+  }
+  if (!sized) columns.remove(surgery::size_column);
+  scene::constrain_vertices(scene_);
+  keep_mesh();
+  at_start_ = facet_sizes(scene_.film);
+  return going();
 }
 
 // Down from a saddle. False if there is no way, or no wish.

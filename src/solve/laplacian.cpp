@@ -55,7 +55,9 @@ Laplacian::Laplacian(const scene::Scene& scene, std::span<const double> weights)
     entry_of_edge_[e] = next[static_cast<std::size_t>(low)]++;
     matrix_.row[static_cast<std::size_t>(entry_of_edge_[e])] = high;
   }
-  factor_ = std::make_unique<SparseFactor>(matrix_);
+  std::vector<Vec3> places;
+  for (const std::uint32_t v : vertex_of_row_) places.push_back(scene.film.position(film::Vertex(v)));
+  factor_ = std::make_unique<SparseFactor>(matrix_, places);
   edge_weight_.resize(edges);
   mass_.resize(weights.size());
   right_.resize(3 * rows);

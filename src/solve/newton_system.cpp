@@ -30,6 +30,14 @@ Eigen::Index index(std::size_t i) {
   return static_cast<Eigen::Index>(i);
 }
 
+std::vector<Vec3> places(const film::Film& film, const Basis& basis) {
+  std::vector<Vec3> result;
+  result.reserve(basis.size());
+  for (std::uint32_t v = 0; v < film.vertex_rows(); ++v)
+    result.insert(result.end(), basis.count(v), film.position(film::Vertex(v)));
+  return result;
+}
+
 }  // namespace
 
 NewtonSystem::NewtonSystem(Problem& problem, const film::Film& film, MotionKind motion)
@@ -37,7 +45,7 @@ NewtonSystem::NewtonSystem(Problem& problem, const film::Film& film, MotionKind 
       film_(film),
       basis_(film, problem.weights(), motion, problem.energy().constraints()),
       hessian_(problem, film, basis_),
-      factor_(std::make_unique<SparseFactor>(hessian_.matrix())),
+      factor_(std::make_unique<SparseFactor>(hessian_.matrix(), places(film, basis_))),
       field_(film.vertex_rows()),
       force_(basis_.size()) {
   film_.edit_position_rows() = {};

@@ -1,14 +1,18 @@
 #include "solve/sparse_factor.h"
 
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include <cholmod.h>
+
+#include "solve/frontal_factor.h"
 
 namespace lamella::solve {
 
 struct SparseFactor::Work {
   cholmod_common common{};
+  std::optional<FrontalFactor> fronts;  // or else the rest
   cholmod_factor* factor = nullptr;
   cholmod_dense* solution = nullptr;  // kept between solves, as are the two below
   cholmod_dense* work_y = nullptr;
@@ -37,7 +41,8 @@ struct SparseFactor::Work {
 
 namespace {
 
-constexpr double much_work = 1.5e8;  // floating-point operations of a factorisation
+constexpr int large = 2000;       // rows above which fronts pay
+constexpr std::size_t leaf = 32;  // rows of the smallest fronts
 
 // A view of the matrix; CHOLMOD reads it only.
 cholmod_sparse as_cholmod(const LowerMatrix& matrix) {
@@ -58,17 +63,16 @@ cholmod_sparse as_cholmod(const LowerMatrix& matrix) {
 
 }  // namespace
 
-// Nested dissection takes ten times as long to find as minimum degree, and saves from a third to three
-// quarters of the work on large films: it is worth looking for where the work is more than that.
-SparseFactor::SparseFactor(const LowerMatrix& pattern) : work_(std::make_unique<Work>()) {
+// Minimum degree and scalar columns are fastest for small matrices, dissection and dense fronts for large
+// ones.
+SparseFactor::SparseFactor(const LowerMatrix& pattern, std::span<const film::Vec3> places)
+    : work_(std::make_unique<Work>()) {
+  if (!places.empty() && pattern.size() > large) {
+    work_->fronts.emplace(pattern, dissection(pattern, places, leaf));
+    return;
+  }
   cholmod_sparse a = as_cholmod(pattern);
-  cholmod_common& common = work_->common;
-  work_->factor = cholmod_analyze(&a, &common);
-  if (common.fl < much_work) return;
-  common.method[0].ordering = CHOLMOD_METIS;
-  cholmod_factor* dissected = cholmod_analyze(&a, &common);
-  std::swap(work_->factor, dissected);
-  cholmod_free_factor(&dissected, &common);
+  work_->factor = cholmod_analyze(&a, &work_->common);
 }
 
 SparseFactor::~SparseFactor() = default;
@@ -76,6 +80,7 @@ SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
 SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
 
 bool SparseFactor::factorise(const LowerMatrix& matrix) {
+  if (work_->fronts) return work_->fronts->factorise(matrix);
   cholmod_sparse a = as_cholmod(matrix);
   if (work_->factor == nullptr || cholmod_factorize(&a, work_->factor, &work_->common) == 0) return false;
   return work_->common.status == CHOLMOD_OK && work_->factor->minor == work_->factor->n;
@@ -83,6 +88,7 @@ bool SparseFactor::factorise(const LowerMatrix& matrix) {
 
 // In a simplicial L D L^T factor each column begins with its entry of D.
 int SparseFactor::negative_pivots() const {
+  if (work_->fronts) return work_->fronts->negative_pivots();
   const cholmod_factor& f = *work_->factor;
   const int* start = static_cast<const int*>(f.p);
   const double* value = static_cast<const double*>(f.x);
@@ -93,6 +99,7 @@ int SparseFactor::negative_pivots() const {
 
 void SparseFactor::solve(std::span<double> values, int columns) {
   if (values.empty()) return;
+  if (work_->fronts) return work_->fronts->solve(values, columns);
   cholmod_dense b{};
   b.nrow = values.size() / static_cast<std::size_t>(columns);
   b.ncol = static_cast<std::size_t>(columns);

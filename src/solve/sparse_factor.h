@@ -6,22 +6,17 @@
 #include <span>
 #include <vector>
 
+#include "film/vec3.h"
+#include "solve/lower_matrix.h"
+
 namespace lamella::solve {
-
-// The lower triangle of a symmetric matrix by columns (compressed): the diagonal entry comes first in each
-// column.
-struct LowerMatrix {
-  std::vector<int> column_start;  // one more than there are columns
-  std::vector<int> row;
-  std::vector<double> value;
-
-  int size() const { return static_cast<int>(column_start.size()) - 1; }
-};
 
 // The symbolic part is made once for a pattern, and kept while only values change.
 class SparseFactor {
  public:
-  explicit SparseFactor(const LowerMatrix& pattern);
+  // `places`, a point a row where they are known, make for a better order of large matrices (rows beyond them
+  // are multipliers, see solve/dissection.h).
+  explicit SparseFactor(const LowerMatrix& pattern, std::span<const film::Vec3> places = {});
   ~SparseFactor();
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;

@@ -189,6 +189,73 @@ TEST(Relax, ToAWantedAccuracy) {
   EXPECT_LE(coarse.number("facet_count"), 20000);
 }
 
+// At equal facet count the error is below uniform refinement's, and at equal error the count: errors times
+// facets, which uniform refinement keeps, are compared at the finest meshes.
+TEST(Relax, AdaptiveMeshesAreBetterThanUniformOnes) {
+  struct Known {
+    const char* file;
+    double exact;
+    const char* levels;
+    double at_most;  // of the uniform mesh's
+  };
+  for (const Known& known : {Known{"wire_cube.fe", 4.23956310, "levels=4", 0.9},
+                             {"catenoid.fe", 7.6049687, "levels=4", 0.95},
+                             {"double_bubble.fe", 9.139421678069, "levels=4", 0.97},
+                             {"catenoid_on_rings.fe", 7.65181219888, "levels=5", 0.9},
+                             {"twisted_wire.fe", 3.9940832, "levels=4", 0.9},
+                             {"triple_bubble.fe", 13.128168244433, "levels=4", 0.9}}) {
+    const auto cost = [&](Trial& trial) {
+      return std::abs(trial.number("total_energy") / known.exact - 1) * trial.number("facet_count");
+    };
+    Trial uniform(known.file);
+    uniform.out(std::string("relax ") + known.levels);
+    Trial adaptive(known.file);
+    adaptive.out("relax to=1e-9 facets=" +
+                 std::to_string(2 * static_cast<int>(uniform.number("facet_count"))));
+    EXPECT_EQ(adaptive.number("converged"), 1);
+    EXPECT_LT(cost(adaptive), known.at_most * cost(uniform)) << known.file;
+  }
+}
+
+// What relax to=... claims is so: estimates are above the true errors, and not far.
+TEST(Relax, EstimatesAreHonest) {
+  struct Known {
+    const char* file;
+    double exact;
+  };
+  for (const Known& known : {Known{"wire_cube.fe", 4.23956310},
+                             {"catenoid.fe", 7.6049687},
+                             {"double_bubble.fe", 9.139421678069},
+                             {"catenoid_on_rings.fe", 7.65181219888},
+                             {"twisted_wire.fe", 3.9940832},
+                             {"triple_bubble.fe", 13.128168244433}}) {
+    for (const char* wanted : {"1e-3", "1e-4"}) {
+      Trial trial(known.file);
+      trial.out(std::string("relax to=") + wanted);
+      const double error = std::abs(trial.number("total_energy") / known.exact - 1);
+      EXPECT_LT(error, trial.number("relax_estimate")) << known.file;
+      EXPECT_LT(trial.number("relax_estimate"), 3 * error) << known.file;
+      EXPECT_LT(std::abs(trial.number("relax_limit") / known.exact - 1), 0.7 * error) << known.file << wanted;
+    }
+  }
+}
+
+TEST(Relax, LeavesNoSmallAngles) {
+  for (const char* file : {"cube.fe", "double_bubble.fe", "triple_bubble.fe", "six_bubbles.fe", "catenoid.fe",
+                           "catenoid_on_rings.fe", "drop_on_table.fe", "lattice.fe", "moving_rings.fe",
+                           "kelvin.fe", "weaire_phelan.fe", "tetrahedral_frame.fe", "twisted_wire.fe",
+                           "wire_cube.fe", "difficult/slivers.fe", "difficult/two_caps.fe"}) {
+    Trial trial(file);
+    trial.session().set_quiet(false);
+    for (const char* levels : {"1", "1", "2"}) {
+      const std::string told = trial.out(std::string("relax levels=") + levels);
+      const std::size_t at = told.find("smallest angle ");
+      ASSERT_NE(at, std::string::npos) << file;
+      EXPECT_GT(std::stod(told.substr(at + 15)), 20) << file;
+    }
+  }
+}
+
 TEST(Relax, Refuses) {
   Trial trial("cube.fe");
   EXPECT_TRUE(contains(trial.failure("relax -1"), "test:1:7: error: steps must be at least 0, not -1"));
