@@ -8,6 +8,7 @@
 #include "scene/constraint_sets.h"
 #include "session/session.h"
 #include "session/tables.h"
+#include "surgery/sizing.h"
 #include "surgery/split_edge.h"
 #include "surgery/split_facet.h"
 
@@ -46,6 +47,7 @@ void refine_all(Session& session, long times) {
     const std::uint32_t old_vertices = film.vertex_rows();
     const surgery::RefineCounts counts = surgery::refine(film);
     scene::settle_vertices(session.scene(), old_vertices);
+    surgery::halve_sizes(film);
     film::restore_spatial_order_if_large(film);
     session.counter("refine_count") = counts.edges;
     session.counter("edge_refine_count") = counts.edges;
@@ -65,6 +67,7 @@ void refine_some(Session& session, const Elements& elements) {
     }
   }
   scene::settle_vertices(session.scene(), old_vertices);
+  surgery::forget_sizes(film, old_vertices);
   const bool edges = elements.kind == language::ElementKind::edge;
   session.counter(edges ? "edge_refine_count" : "facet_refine_count") =
       static_cast<double>(elements.list.size());

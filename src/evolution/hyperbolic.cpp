@@ -16,6 +16,7 @@ namespace {
 using solve::Ending;
 
 constexpr int most_halvings = 12;
+constexpr int most_parts = 200;  // of a step
 // Relative: what steps in one pass may leave, and nobody sets a target for.
 constexpr double at_target = 1e-7;
 // A fixed step is made in substeps of at most this part of the bound.
@@ -73,6 +74,8 @@ class Walk {
   void keep_mesh();
   void renew_motion();
   double free_step() const;
+  void begin_topology();
+  bool can_move(const scene::Scene& scene) const;
   bool keep_topology(bool at_end);
   double part_of_step(double most) const;
 
@@ -101,6 +104,7 @@ Ending Walk::advance(double dt, long steps) {
   const double fraction = size_.fixed ? substep_fraction : 1.0;
   const double end = scene_.time + dt;
   int halvings = 0;
+  int parts = 0;
   const double nothing = std::max(1e-9 * dt, 1e-15 * std::abs(end));
   for (double left = dt; left > nothing; left = end - scene_.time) {
     if (monitor_.watched()) motion_->store();
@@ -118,12 +122,15 @@ Ending Walk::advance(double dt, long steps) {
     halvings = std::max(0, halvings - 1);
     ++report_.substeps;
     keep_mesh();
-    const bool last = report_.steps + 1 == steps && end - scene_.time <= nothing;
+    // A step whose size is left to the motion ends where it would take too many parts.
+    const bool whole = end - scene_.time <= nothing || (!size_.fixed && ++parts >= most_parts);
+    const bool last = report_.steps + 1 == steps && whole;
     if (!keep_topology(last)) return Ending::tangled;
     best_fitness_ = std::max(best_fitness_, motion_->fitness());
     if (size_.upkeep && motion_->fitness() < lost * best_fitness_) return Ending::collapsed;
     report_.smallest_dt = report_.smallest_dt == 0 ? piece : std::min(report_.smallest_dt, piece);
     report_.largest_dt = std::max(report_.largest_dt, piece);
+    if (whole) break;
   }
   ++report_.steps;
   if (after_step_) after_step_(*motion_, report_.steps);
@@ -163,11 +170,26 @@ void Walk::keep_mesh() {
   watch.lap(report_.times.surgery);
 }
 
+// A film at rest, and sound as far as its mesh tells, is not searched for sheets that touch before it moves.
+void Walk::begin_topology() {
+  if (!size_.topology || scene_.film.periodic()) return;
+  motion_->store();
+  if (topology_.begin(scene_))
+    retreat_.remember(scene_, Retreat::Known::unknown);
+  else
+    keep_topology(true);
+}
+
+bool Walk::can_move(const scene::Scene& scene) const {
+  scene::Scene copy = scene;
+  return Motion(copy, size_.method, size_.volumes).is_sound();
+}
+
 // Looks at the film when it has moved far enough, and at the end. False if it tangles whatever is done.
 // Events are told while no motion stands on the scene, as whoever hears of them may change it.
 bool Walk::keep_topology(bool at_end) {
   if (!size_.topology || scene_.film.periodic()) return true;
-  if (!at_end && !topology_.is_due(motion_->positions())) return true;
+  if (!topology_.is_due(motion_->positions(), at_end)) return true;
   Stopwatch watch;
   motion_->store();
   const std::vector<surgery::Tangle> tangles = surgery::tangles(scene_.film);
@@ -180,8 +202,14 @@ bool Walk::keep_topology(bool at_end) {
     return goes_on;
   }
   bool sound = tangles.empty();
+  const scene::Scene before = scene_;
   if (topology_.look(scene_, sound)) {
-    const std::vector<surgery::Event> events = topology_.take_events();
+    std::vector<surgery::Event> events = topology_.take_events();
+    // A region that cannot keep its volume must not come about.
+    if (motion_->is_sound() && !events.empty() && !can_move(scene_)) {
+      scene_ = before;
+      events.clear();
+    }
     if (on_events_ && !events.empty()) {
       on_events_(scene_, events);
       sound = sound && surgery::tangles(scene_.film).empty();
@@ -189,14 +217,14 @@ bool Walk::keep_topology(bool at_end) {
     renew_motion();
     scene_.mesh_fitness = motion_->fitness();
   }
-  if (sound) retreat_.remember(scene_);
+  if (sound) retreat_.remember(scene_, Retreat::Known::sound);
   motion_->hold_together(retreat_.held());
   watch.lap(report_.times.surgery);
   return true;
 }
 
 EvolveReport Walk::run(long steps) {
-  keep_topology(true);
+  begin_topology();
   while (report_.steps < steps && report_.ending == Ending::step_limit) {
     if (!std::isfinite(motion_->bound()) && !size_.fixed) {
       report_.ending = Ending::converged;  // nothing in the scene can move

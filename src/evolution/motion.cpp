@@ -14,6 +14,8 @@ using solve::Ending;
 // A step may raise the total energy by this part of it before it counts as a failure: a symplectic step below
 // the bound wobbles by far less, an unstable one grows without limit.
 constexpr double most_energy_rise = 0.02;
+// Not none: a body whose films are all held must be able to keep its volume.
+constexpr double answer_of_held = 1e-4;
 
 }  // namespace
 
@@ -69,6 +71,17 @@ void Motion::weigh() {
     if (stays || method_ == Method::gradient) v_[v] = {};
     kinetic_ += 0.5 * masses_[v] * squared_length(v_[v]);
   }
+  answers_ = weights_;
+  for (const std::vector<film::Vertex>& set : held_) {
+    for (const film::Vertex v : set) answers_[v.index] *= answer_of_held;
+  }
+}
+
+void Motion::hold_together(std::vector<std::vector<film::Vertex>> sets) {
+  if (sets.empty() && held_.empty()) return;
+  held_ = std::move(sets);
+  weigh();
+  sound_ = linearise();
 }
 
 // After terms_.gradient at x_: outer forces, the bound, and the factors for the volume constraints.
@@ -87,7 +100,7 @@ bool Motion::linearise() {
   pushed_soundly_ = forces_.empty() || forces_.evaluate(x_, v_, lines, scene_.time, pushes_);
   if (!pushed_soundly_ || !std::isfinite(energy_)) return false;
   if (errors_.empty()) return true;
-  terms_.volume_gradient().gram(weights_, gram_values_);
+  terms_.volume_gradient().gram(answers_, gram_values_);
   return gram_.factorise(gram_values_);
 }
 
@@ -119,7 +132,7 @@ void Motion::drift(double dt) {
   const bool free = errors_.empty() || paper_ != nullptr;
   next_kinetic_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
-    if (!free) next_v_[v] += weights_[v] * volume.pull(v);
+    if (!free) next_v_[v] += answers_[v] * volume.pull(v);
     next_x_[v] = x_[v] + dt * next_v_[v];
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
@@ -142,6 +155,21 @@ void Motion::stiffen() {
       damped_ += 0.5 * masses_[v.index] * (squared_length(velocity) - squared_length(mean));
       next_v_[v.index] = mean;
     }
+  }
+}
+
+// Pressures push a film around without moving it as a whole; where sets are held that do not answer, what is
+// missing is given to all alike, which changes no volume. A film that something holds keeps no momentum.
+void Motion::give_back_momentum(double dt) {
+  const bool is_held = std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; });
+  if (held_.empty() || is_held || !terms_.constraints().empty()) return;
+  const Vec3 missing = kicked_momentum_ - evolution::balance(next_x_, next_v_, masses_).momentum;
+  const Vec3 shift = missing / mass_;
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < next_v_.size(); ++v) {
+    next_v_[v] += shift;
+    next_x_[v] += dt * shift;
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
 }
 
@@ -222,7 +250,7 @@ bool Motion::second_kick(double dt) {
 
 // Velocities that keep the volumes at next_x_.
 bool Motion::settle_velocities(double dt) {
-  terms_.volume_gradient().gram(weights_, gram_values_);
+  terms_.volume_gradient().gram(answers_, gram_values_);
   if (!gram_.factorise(gram_values_)) return false;
   project_velocities(dt);
   return true;
@@ -274,6 +302,7 @@ bool Motion::propose(double dt) {
     kick(method_ == Method::verlet ? 0.5 * dt : dt);
   }
   stiffen();
+  if (!held_.empty()) kicked_momentum_ = evolution::balance(next_x_, next_v_, masses_).momentum;
   watch_.lap(times_.other);
   if (!errors_.empty() && paper_ == nullptr) impose_volumes(dt);
   watch_.lap(times_.volumes);
@@ -289,6 +318,7 @@ Ending Motion::step(double dt) {
   terms_.set_time(scene_.time + dt);
   if (!keep_constraints(dt)) return undo(Ending::constraint_lost);
   if (!errors_.empty() && !keep_volumes(dt)) return undo(Ending::volume_lost);
+  give_back_momentum(dt);
   watch_.lap(times_.volumes);
   const double energy = terms_.gradient(next_x_);
   watch_.lap(times_.forces);

@@ -79,8 +79,10 @@ class Motion {
   // The largest step that the method survives by linear theory: the bound, or any.
   double largest_step() const { return is_implicit(method_) ? HUGE_VAL : bound_; }
   // From the next step on each of these sets of vertices moves as one body; what velocities differ from the
-  // set's mean is lost. Pressures still act on each vertex, as volumes have to be kept.
-  void hold_together(std::vector<std::vector<film::Vertex>> sets) { held_ = std::move(sets); }
+  // set's mean is lost. What is missing of volumes is made good by the others, nearly alone.
+  void hold_together(std::vector<std::vector<film::Vertex>> sets);
+  // Whether a step can be made from here: numbers are finite, and the volumes can be kept.
+  bool is_sound() const { return sound_; }
   // Copies positions, velocities and masses to the scene.
   void store();
 
@@ -100,6 +102,7 @@ class Motion {
   void drift(double dt);
   void descend(double dt);
   void stiffen();
+  void give_back_momentum(double dt);
   bool second_kick(double dt);
   bool settle_velocities(double dt);
   bool implicit_step(double dt);
@@ -134,11 +137,13 @@ class Motion {
   std::vector<double> masses_;
   std::vector<double> ones_;
   std::vector<double> weights_;  // inverse masses, 0 for vertices that stay
+  std::vector<double> answers_;  // the same to volumes that are to be made good
   std::vector<Vec3> x_;
   std::vector<Vec3> v_;
   std::vector<Vec3> next_x_;
   std::vector<Vec3> next_v_;
   std::vector<std::vector<film::Vertex>> held_;
+  Vec3 kicked_momentum_;      // where sets are held: after the kick, and to be had at the end of the step
   std::vector<Vec3> pushes_;  // accelerations by outer forces; empty without them
   std::vector<double> errors_;
   std::vector<double> multipliers_;

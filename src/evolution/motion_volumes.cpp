@@ -62,7 +62,7 @@ void Motion::project_velocities(double dt) {
   volume.set_multipliers(multipliers_);
   next_kinetic_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
-    next_v_[v] += weights_[v] * volume.pull(v);
+    next_v_[v] += answers_[v] * volume.pull(v);
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
 }
@@ -73,7 +73,7 @@ void Motion::correct(double dt) {
   volume.set_multipliers(multipliers_);
   next_kinetic_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
-    const Vec3 shift = weights_[v] * volume.pull(v);
+    const Vec3 shift = answers_[v] * volume.pull(v);
     next_x_[v] += shift;
     next_v_[v] += shift / dt;
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);

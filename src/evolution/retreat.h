@@ -16,21 +16,24 @@ namespace lamella::evolution {
 
 class Retreat {
  public:
-  // The scene is sound now.
-  void remember(const scene::Scene& scene);
-  // Whether there is anything to go back to.
-  bool ready() const { return safe_.has_value(); }
+  // The scene is sound now; or it is not known to be otherwise, and is looked at when it is needed.
+  enum class Known { sound, unknown };
+  void remember(const scene::Scene& scene, Known known);
+  // Whether there is anything sound to go back to.
+  bool ready();
   // The scene as it was, and what is to be held together from there on. False where that was tried too often;
   // the scene is then back there, too.
   bool go_back(scene::Scene& scene, const std::vector<surgery::Tangle>& tangles);
 
-  // Of the steps that would be made otherwise.
+  // Of the steps that would be made otherwise. Steps that go well make it whole again.
   double part_of_step() const { return part_; }
+  void step_made() { part_ = part_ < 0.5 ? 2 * part_ : 1; }
   const std::vector<surgery::Tangle>& held() const { return held_; }
   long count() const { return count_; }
 
  private:
   std::optional<scene::Scene> safe_;
+  Known known_ = Known::unknown;
   std::vector<surgery::Tangle> held_;
   int attempts_ = 0;
   int looks_held_ = 0;

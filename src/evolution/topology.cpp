@@ -6,6 +6,7 @@
 #include "energy/film_energy.h"
 #include "evolution/changed_mesh.h"
 #include "evolution/masses.h"
+#include "film/check.h"
 #include "scene/constraint_sets.h"
 #include "surgery/sizing.h"
 #include "surgery/tangle.h"
@@ -22,12 +23,14 @@ namespace {
 // In units of the mesh's size.
 constexpr double look_after = 0.05;  // the way of a vertex from look to look
 constexpr double look_after_tight = 0.01;
+constexpr double look_at_end = 1e-3;
 constexpr double contact = 0.15;     // sheets nearer than this touch
 constexpr double list_margin = 0.5;  // of the list of near pairs
 constexpr double step_near = 0.05;   // the way in a step of sheets that are near one another
 constexpr double step_any = 0.25;    // and of any vertex: two cannot cross the margin of the list
 constexpr double hard_gap = 0.08;    // sheets that touch and cannot merge come no nearer
 // The velocities around a change of the mesh are scaled by no more than this, to keep the energy.
+constexpr int most_rings_held = 5;  // around films that would meet where volumes are restored
 constexpr double least_factor = 0.9;
 constexpr double most_factor = 1.1;
 
@@ -35,10 +38,43 @@ film::Reals& reals(Film& film, const char* name) {
   return std::get<film::Reals>(film.columns(ElementKind::vertex).edit(name)->data);
 }
 
-bool put_right(Scene& scene) {
-  if (scene.has_fixed_volume() && scene.film.triangle_count() > 0) return restore_volumes(scene);
-  scene::constrain_vertices(scene);
-  return true;
+// Volumes restored while some vertices stay where they are.
+bool restore_elsewhere(Scene& scene, std::span<const surgery::Tangle> held) {
+  film::Columns& columns = scene.film.columns(ElementKind::vertex);
+  const film::Column* const known = columns.find("fixed");
+  const std::optional<film::Column> before = known != nullptr ? std::optional(*known) : std::nullopt;
+  film::Column& fixed =
+      columns.add(before.value_or(film::flag_column("fixed", film::Inheritance::New::parent)));
+  for (const surgery::Tangle& tangle : held) {
+    for (const Vertex v : tangle) fixed.set(v.index, 0, 1);
+  }
+  const bool restored = restore_volumes(scene);
+  if (before)
+    columns.add(*before);
+  else
+    columns.remove("fixed");
+  return restored;
+}
+
+// What holds vertices and the volumes. Of a film that is sound, what would pass through itself on the way
+// stays where it is, and more and more around it.
+bool put_right(Scene& scene, bool sound) {
+  const Film& film = scene.film;
+  if (!scene.has_fixed_volume() || film.triangle_count() == 0) {
+    scene::constrain_vertices(scene);
+    return true;
+  }
+  const Scene before = scene;
+  std::vector<surgery::Tangle> held;
+  for (int rings = 0; rings < most_rings_held; ++rings) {
+    if (!(held.empty() ? restore_volumes(scene) : restore_elsewhere(scene, held))) return false;
+    if (!sound) return true;
+    const std::vector<surgery::Tangle> tangles = surgery::tangles(film);
+    if (tangles.empty()) return true;
+    for (const surgery::Tangle& tangle : tangles) held.push_back(surgery::grown(film, tangle, rings));
+    scene = before;
+  }
+  return false;
 }
 
 // Flags, by the rows of the film after compaction, for vertices named by rows before.
@@ -129,14 +165,33 @@ class Touched {
   std::vector<Vec3> velocities_;
 };
 
+// Whether a film is no worse than it was: sound, and labelled soundly.
+bool is_fit(const Film& film, const surgery::TopologyReport& report, bool sound, bool labelled) {
+  if (labelled && !report.events.empty() && !film::check_regions(film, 1).empty()) return false;
+  return !sound || surgery::tangles(film).empty();
+}
+
 }  // namespace
 
 TopologyKeeper::TopologyKeeper() : proximity_(contact, list_margin) {}
 
-bool TopologyKeeper::is_due(std::span<const Vec3> positions) const {
+bool TopologyKeeper::begin(Scene& scene) {
+  if (!surgery::has_sizes(scene.film) || surgery::needs_look(scene, options_)) return false;
+  note_place(scene.film);
+  return true;
+}
+
+void TopologyKeeper::note_place(const Film& film) {
+  seen_.assign(film.positions().begin(), film.positions().end());
+  sizes_.resize(seen_.size());
+  for (std::uint32_t v = 0; v < sizes_.size(); ++v) sizes_[v] = surgery::size_of(film, Vertex(v));
+}
+
+bool TopologyKeeper::is_due(std::span<const Vec3> positions, bool at_end) const {
   if (seen_.size() != positions.size()) return true;
+  const double part = at_end ? look_at_end : tight_ ? look_after_tight : look_after;
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const double most = (tight_ ? look_after_tight : look_after) * sizes_[v];
+    const double most = part * sizes_[v];
     if (squared_length(positions[v] - seen_[v]) > most * most) return true;
   }
   return false;
@@ -156,13 +211,14 @@ bool TopologyKeeper::look(Scene& scene, bool sound) {
     // Where all that is due would make the film pass through itself, a part of it may not. The last try is to
     // slow down what touches and nothing else.
     surgery::TopologyOptions options = options_;
+    const bool labelled = film::check_regions(film, 1).empty();
     for (const auto& [changes, upkeep] :
          {std::pair(true, true), {true, false}, {false, true}, {false, false}}) {
       const Scene before = scene;
       options.changes = changes;
       options.upkeep = upkeep;
-      Pass pass = apply(scene, options, contacts);
-      if (pass.changed && (!sound || surgery::tangles(film).empty())) {
+      Pass pass = apply(scene, options, contacts, sound);
+      if (pass.changed && is_fit(film, pass.report, sound, labelled)) {
         count(pass);
         changed = true;
         break;
@@ -172,9 +228,7 @@ bool TopologyKeeper::look(Scene& scene, bool sound) {
       ++counts_.refused;
     }
   }
-  seen_.assign(film.positions().begin(), film.positions().end());
-  sizes_.resize(seen_.size());
-  for (std::uint32_t v = 0; v < sizes_.size(); ++v) sizes_[v] = surgery::size_of(film, Vertex(v));
+  note_place(film);
   return changed;
 }
 
@@ -192,7 +246,7 @@ void TopologyKeeper::count(Pass& pass) {
 // Surgery, and then everything that it leaves to be put right. Where nothing is changed the scene is to be
 // thrown away.
 TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::TopologyOptions& options,
-                                           std::span<const surgery::Contact> contacts) {
+                                           std::span<const surgery::Contact> contacts, bool sound) {
   Film& film = scene.film;
   film::Columns& columns = film.columns(ElementKind::vertex);
   if (film::Column* mass = columns.edit("mass")) mass->inheritance.on_merge = film::Inheritance::Merge::sum;
@@ -210,7 +264,7 @@ TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::Topology
   pass.changed = slowed;
   if (!report.changed()) return pass;
   Touched touched(scene, compact_with_flags(film, report.touched));
-  if (!put_right(scene)) {
+  if (!put_right(scene, sound)) {
     ++counts_.refused;
     pass.changed = false;
     return pass;

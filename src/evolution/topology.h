@@ -28,8 +28,11 @@ class TopologyKeeper {
  public:
   TopologyKeeper();
 
-  // Whether the film has moved so far since the last look that it is time for one.
-  bool is_due(std::span<const Vec3> positions) const;
+  // At the start of a motion: false if the mesh alone says that a look is due.
+  bool begin(scene::Scene& scene);
+  // Whether the film has moved so far since the last look that it is time for one; at the end of a motion
+  // that is nearly any way.
+  bool is_due(std::span<const Vec3> positions, bool at_end) const;
   // A look at a compact film with the vertex columns "velocity" and "mass". Makes what is due: the mesh, the
   // topology, the regions; volumes are restored by positions alone, total mass and (where no vertex is
   // fixed) momentum stay exactly; energy lost or won by the mesh is given back to the velocities around.
@@ -52,8 +55,9 @@ class TopologyKeeper {
     surgery::TopologyReport report;
   };
   Pass apply(scene::Scene& scene, const surgery::TopologyOptions& options,
-             std::span<const surgery::Contact> contacts);
+             std::span<const surgery::Contact> contacts, bool sound);
   void count(Pass& pass);
+  void note_place(const film::Film& film);
   bool slow_down(scene::Scene& scene, std::span<const surgery::Contact> contacts);
 
   surgery::TopologyOptions options_;

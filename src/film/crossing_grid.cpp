@@ -53,7 +53,9 @@ std::size_t CrossingGrid::bucket(int i, int j, int k) const {
 }
 
 void CrossingGrid::add(Triangle t) {
-  const Range cells = range(box_of(film_.points(t)));
+  if (boxes_.size() < film_.triangle_rows()) boxes_.resize(film_.triangle_rows());
+  boxes_[t.index] = box_of(film_.points(t));
+  const Range cells = range(boxes_[t.index]);
   if (cells.cells() > most_cells) {
     large_.push_back(t);
     return;
@@ -83,9 +85,9 @@ void CrossingGrid::for_each_near(const Box& box, Function&& function) const {
   met_.resize(film_.triangle_rows());
   ++query_;
   const auto meet = [&](Triangle t) {
-    if (met_[t.index] == query_ || !film_.alive(t)) return;
+    if (met_[t.index] == query_) return;
     met_[t.index] = query_;
-    if (box_of(film_.points(t)).meets(box)) function(t);
+    if (boxes_[t.index].meets(box) && film_.alive(t)) function(t);
   };
   for (const Triangle t : large_) meet(t);
   const Range cells = range(box);
@@ -123,8 +125,8 @@ bool CrossingGrid::crosses(std::span<const FacetShape> made, std::span<const Tri
 std::vector<Triangle> CrossingGrid::crossing(Triangle t, std::size_t most) const {
   std::vector<Triangle> found;
   const FacetShape shape = shape_of(film_, t);
-  for_each_near(box_of(shape.points), [&](Triangle other) {
-    if (other != t && found.size() < most && shapes_cross(shape, shape_of(film_, other)))
+  for_each_near(boxes_[t.index], [&](Triangle other) {
+    if (other > t && found.size() < most && shapes_cross(shape, shape_of(film_, other)))
       found.push_back(other);
   });
   return found;

@@ -25,7 +25,7 @@ class CrossingGrid {
   // Whether any of some facets meets another of them, or one of the film that is not about to go, anywhere
   // but at common corners and edges.
   bool crosses(std::span<const FacetShape> made, std::span<const Triangle> gone) const;
-  // The facets of the film that cross one of its facets, at most so many.
+  // The facets of the film after one of its facets that cross it, at most so many.
   std::vector<Triangle> crossing(Triangle t, std::size_t most) const;
 
  private:
@@ -45,10 +45,11 @@ class CrossingGrid {
 
   const Film& film_;
   double width_ = 1;
+  std::vector<Box> boxes_;            // of each facet when it was added last
   std::vector<std::uint32_t> first_;  // entry of each bucket
   std::vector<Entry> entries_;
-  std::vector<Triangle> large_;  // that would fill too many cells
-  mutable std::vector<std::uint32_t> met_;
+  std::vector<Triangle> large_;             // that would fill too many cells
+  mutable std::vector<std::uint32_t> met_;  // the last query that met a facet
   mutable std::uint32_t query_ = 0;
 };
 

@@ -19,9 +19,22 @@ bool crosses_any_edge(const Points& of, const Points& triangle) {
   return false;
 }
 
+// Whether two corners at least, and all of them, lie strictly on one side of a triangle's plane.
+bool lies_beside(std::span<const Vec3> corners, const Points& triangle) {
+  const int side = orientation(triangle[0], triangle[1], triangle[2], corners[0]);
+  return side != 0 && std::all_of(corners.begin() + 1, corners.end(), [&](const Vec3& p) {
+           return orientation(triangle[0], triangle[1], triangle[2], p) == side;
+         });
+}
+
+bool facets_apart(const Points& a, const Points& b) {
+  return lies_beside(b, a) || lies_beside(a, b);
+}
+
 // Facets that share one corner, each turned to begin with it: they cross where the side opposite to it, of
 // one of them, meets the other.
 bool cross_beyond_corner(const Points& a, const Points& b) {
+  if (lies_beside({&b[1], 2}, a) || lies_beside({&a[1], 2}, b)) return false;
   return segment_meets_triangle(a[1], a[2], b[0], b[1], b[2]) ||
          segment_meets_triangle(b[1], b[2], a[0], a[1], a[2]);
 }
@@ -87,6 +100,7 @@ bool shapes_cross(const FacetShape& a, const FacetShape& b) {
       if (ca[i] == cb[k]) shared[count++] = {i, k};
     }
   }
+  if (count == 0 && facets_apart(pa, pb)) return false;
   if (count == 0) return crosses_any_edge(pa, pb) || crosses_any_edge(pb, pa);
   if (count == 1)
     return cross_beyond_corner(from_corner(pa, shared[0].first), from_corner(pb, shared[0].second));

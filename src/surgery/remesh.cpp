@@ -5,6 +5,7 @@
 
 #include "film/crossing_grid.h"
 #include "scene/constraint_sets.h"
+#include "surgery/contract.h"
 #include "surgery/equiangulate.h"
 #include "surgery/feature.h"
 #include "surgery/flip.h"
@@ -37,8 +38,9 @@ constexpr double border_coming_together = 0.35;
 constexpr int flip_passes = 3;
 // Where films at a border are nearer than this (radians), vertices stay on their facets.
 constexpr double tight_wedge = 40 * M_PI / 180;
-constexpr double rim_passed = 0.2;    // the altitude, in sizes, of facets that a free rim takes back
-constexpr double room_to_grow = 0.9;  // of the longest edge, for one that a collapse makes
+constexpr double needle_altitude = 0.1;  // in sizes, of a facet whose corner has come near a line
+constexpr double rim_passed = 0.2;       // the altitude, in sizes, of facets that a free rim takes back
+constexpr double room_to_grow = 0.9;     // of the longest edge, for one that a collapse makes
 
 double edge_length(const Film& film, Edge e) {
   return length(film.vector(SignedEdge(e, false)));
@@ -95,6 +97,7 @@ class Remesher {
   void flip();
   bool flip_edge(Edge e, double slack);
   bool retract(Triangle t);
+  void mend_needle(Triangle t, const std::array<Edge, 3>& sides);
   void even_out();
   Vertex divide(Edge e);
   bool may_move(Vertex v, const Vec3& to);
@@ -187,21 +190,30 @@ void Remesher::collapse_short() {
   }
 }
 
-// A facet that its film's free rim has nearly passed by: two of its sides are rims, and it is low.
+// A facet that its film's free rim has nearly passed by: two of its sides are rims, or its longest, and it is
+// low.
 bool Remesher::retract(Triangle t) {
   const auto& corners = film_.corners(t);
   const auto& sides = film_.edges(t);
+  // Neither a wire nor where a film stands on a constraint: those hold both ends.
   const auto is_rim = [&](SignedEdge e) {
     const Side first = film_.first_side(e.edge());
-    return film_.next_around(first) == first && !is_fixed(film_, film::ElementKind::edge, e.edge().index) &&
+    if (film_.next_around(first) != first) return false;
+    const auto& ends = film_.ends(e.edge());
+    return (is_free(scene_, ends[0]) || is_free(scene_, ends[1])) &&
+           !is_fixed(film_, film::ElementKind::edge, e.edge().index) &&
            scene::boundary_of(scene_, film::ElementKind::edge, e.edge().index) == 0;
   };
-  if (std::count_if(sides.begin(), sides.end(), is_rim) < 2) return false;
+  const auto rims = std::count_if(sides.begin(), sides.end(), is_rim);
+  if (rims == 0) return false;
   const auto points = film_.points(t);
-  const double low = length(cross(points[1] - points[0], points[2] - points[0]));
-  double longest = 0;
-  for (const SignedEdge e : sides) longest = std::max(longest, edge_length(film_, e.edge()));
-  if (low > rim_passed * size_of(film_, corners[0]) * longest) return false;
+  const double twice = length(cross(points[1] - points[0], points[2] - points[0]));
+  const SignedEdge longest = *std::max_element(sides.begin(), sides.end(), [&](SignedEdge a, SignedEdge b) {
+    return edge_length(film_, a.edge()) < edge_length(film_, b.edge());
+  });
+  const double low = twice / edge_length(film_, longest.edge()) / size_of(film_, corners[0]);
+  const bool passed = rims >= 2 ? low < rim_passed : low < needle_altitude && is_rim(longest);
+  if (!passed) return false;
   const std::array<Vertex, 3> around = corners;
   replace(film_, {{t}, {}});
   for (const Vertex v : around) touch(v);
@@ -221,8 +233,34 @@ void Remesher::mend_slivers() {
     std::sort(sides.begin(), sides.end(),
               [&](Edge a, Edge b) { return edge_length(film_, a) < edge_length(film_, b); });
     if (flip_edge(sides[2], 0)) continue;
-    if (relative_length(film_, sides[0]) < needle) collapse(sides[0]);
+    if (relative_length(film_, sides[0]) < needle && collapse(sides[0])) continue;
+    mend_needle(t, sides);
   }
+}
+
+// A corner that has come near a line on the opposite side: the line gets a vertex there, and the two collapse
+// or change the film's topology.
+void Remesher::mend_needle(Triangle t, const std::array<Edge, 3>& sides) {
+  const Edge line = sides[2];
+  if (!is_line(scene_, line) || !film_.first_side(line).valid() ||
+      is_fixed(film_, film::ElementKind::edge, line.index))
+    return;
+  const auto [tail, head] = film_.ends(line);
+  Vertex apex;
+  for (const Vertex v : film_.corners(t)) {
+    if (v != tail && v != head) apex = v;
+  }
+  const Vec3 along = film_.vector(SignedEdge(line, false));
+  const double part = dot(film_.position(apex) - film_.position(tail), along) / squared_length(along);
+  const double low = length(film_.position(tail) + part * along - film_.position(apex));
+  if (low > needle_altitude * size_of(film_, line) || part < 0.1 || part > 0.9) return;
+  const Vertex foot = split_edge(film_, line, film_.position(tail) + part * along);
+  grid().add_around(foot);
+  ++report_.splits;
+  touch(foot);
+  film_.for_each_end(foot, [&](EdgeEnd end) { touch(film_.head(end.outward())); });
+  const SignedEdge between = film_.find_edge(foot, apex);
+  if (between.valid()) collapse(between.edge());
 }
 
 // True if the angles opposite to the edge sum to more than a half turn plus the slack.

@@ -109,7 +109,9 @@ bool Shrinker::rank(Shrink& result) {
   head_rank_ = rank_of(scene_, head_);
   const Rank lower = std::min(tail_rank_, head_rank_);
   if (may_vanish(lower, is_line(scene_, edge_))) return true;
-  if (lower == Rank::corner && film_.valence(edge_) > 2) {
+  // Two borders that a film no wider than this edge keeps apart, or the ends of one that is short.
+  const bool between_borders = lower >= Rank::border && lower != Rank::wire && !is_line(scene_, edge_);
+  if (between_borders || (lower == Rank::corner && film_.valence(edge_) > 2)) {
     result.outcome = ShrinkOutcome::topology;
     result.cluster = {tail_, head_};
   }

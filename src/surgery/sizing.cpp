@@ -86,6 +86,21 @@ void keep_sizes(Film& film) {
   }
 }
 
+void halve_sizes(Film& film) {
+  if (!has_sizes(film)) return;
+  for (double& size : sizes_of(film)) size *= 0.5;
+}
+
+void forget_sizes(Film& film, std::uint32_t first) {
+  if (!has_sizes(film)) return;
+  Reals& sizes = sizes_of(film);
+  for (std::uint32_t v = first; v < film.vertex_rows(); ++v) {
+    if (!film.alive(Vertex(v))) continue;
+    sizes[v] = 0;
+    film.for_each_end(Vertex(v), [&](EdgeEnd end) { sizes[film.head(end.outward()).index] = 0; });
+  }
+}
+
 void set_sizes(Film& film, const std::function<double(Vertex)>& size, double least, double most) {
   Reals sizes(film.vertex_rows());
   for (std::uint32_t v = 0; v < sizes.size(); ++v) {

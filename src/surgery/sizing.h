@@ -25,6 +25,12 @@ void keep_sizes(film::Film& film);
 // Sets the size of every vertex by a function, bounded from both sides and in its grading.
 void set_sizes(film::Film& film, const std::function<double(film::Vertex)>& size, double least, double most);
 
+// After every edge was halved: sizes are half of what they were. A film without sizes gets none.
+void halve_sizes(film::Film& film);
+// Vertices in rows from here on, and their neighbours, lose their sizes: they are measured anew when next
+// kept.
+void forget_sizes(film::Film& film, std::uint32_t first);
+
 // A size for a film's curvature: facets turn from one to the next by about this angle (radians).
 double size_for_curvature(const film::Film& film, film::Vertex v, double turn);
 

@@ -77,7 +77,6 @@ std::vector<Tangle> tangles(const Film& film) {
     const Triangle t(i);
     if (!film.alive(t)) continue;
     for (const Triangle other : grid.crossing(t, most_met)) {
-      if (other < t) continue;
       Tangle part(film.corners(t).begin(), film.corners(t).end());
       part.insert(part.end(), film.corners(other).begin(), film.corners(other).end());
       parts.push_back(std::move(part));

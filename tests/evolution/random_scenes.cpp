@@ -95,6 +95,7 @@ TEST(RandomScenes, EndWellAndUntangled) {
                   tale.counts.refused, tale.fault.c_str());
     std::fflush(stdout);
   }
+  EXPECT_LT(worst_volume, 1e-9);
   if (!aloud) return;
   for (const auto& [name, count] : sum) std::printf("%s: %d\n", name.c_str(), count);
   std::printf("scenes %d, failed %d, worst volume error %.2e\n", scenes, failed, worst_volume);

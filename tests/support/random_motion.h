@@ -139,9 +139,14 @@ inline const char* befall(scene::Scene& scene, Chance& chance) {
   const auto fixed = scene.film.columns(film::ElementKind::vertex).flags("fixed");
   Vec3 middle;
   for (const Vec3& p : scene.film.positions()) middle += p / std::max(1.0, double(velocity.size()));
+  // What has flown off is not hit harder than the rest.
+  const auto from = [&](const Vec3& p) {
+    const Vec3 way = p - middle;
+    return way / std::max(1.0, length(way) / 2);
+  };
   const auto add = [&](auto&& field) {
     for (std::size_t v = 0; v < velocity.size(); ++v) {
-      if (fixed.empty() || fixed[v] == 0) velocity[v] += field(scene.film.positions()[v] - middle);
+      if (fixed.empty() || fixed[v] == 0) velocity[v] += field(from(scene.film.positions()[v]));
     }
     evolution::store_velocities(scene.film, velocity);
   };
