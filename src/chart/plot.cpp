@@ -22,9 +22,9 @@ std::string script(const std::vector<Curve>& curves, double reference, const std
                    const std::filesystem::path& picture) {
   std::string text = picture_settings(picture);
   text += "set title " + quoted(title) + "\n";
-  text += "set logscale xy\nset format y '10^{%L}'\nset format x '%g'\n";
+  text += "set logscale xy\nset format y '%.0e'\nset format x '%g'\n";
   text += "set xlabel 'processor time, s'\nset ylabel 'relative error of the energy'\n";
-  text += "set key outside right\nset grid\nplot ";
+  text += "set key outside right\nset grid\nset linetype 9 linecolor 'gray40'\nplot ";
   for (std::size_t i = 0; i < curves.size(); ++i) {
     text += fmt::format("{}'-' using 1:2 with linespoints pointsize 0.4 linewidth 1.5 title {}",
                         i > 0 ? ", " : "", quoted(curves[i].method));
