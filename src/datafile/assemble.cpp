@@ -1,7 +1,6 @@
 #include "datafile/assemble.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "datafile/element_constraints.h"
 #include "datafile/quantities.h"
 #include "film/check.h"
+#include "film/ring.h"
 
 namespace lamella::datafile {
 
@@ -153,11 +153,7 @@ void Assembler::begin_rings() {
   if (cuts_.empty()) return;
   std::vector<std::uint8_t> seen(film_.edge_rows(), 0);
   const auto begin_at = [&](Side side) {
-    const Edge edge = film_.edge_of(side).edge();
-    if (std::exchange(seen[edge.index], 1)) return;
-    const Side first = film_.first_side(edge);
-    if (first != side && film_.next_around(first) == side && film_.next_around(side) == first)
-      film_.set_ring(edge, std::array{side, first});
+    if (!std::exchange(seen[film_.edge_of(side).edge().index], 1)) film::begin_ring(film_, side);
   };
   std::size_t next_cut = 0;
   for (std::uint32_t face = 0; face < rows_.of(ElementKind::facet).size(); ++face) {

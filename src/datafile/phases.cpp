@@ -21,14 +21,14 @@ double tension_between(const Phases& phases, int a, int b) {
 }
 
 // Where the file says nothing of a tension the column may be missing.
-film::Column& tension_column(film::Columns& columns, double blank) {
-  if (columns.find("tension") == nullptr) columns.add(film::real_column("tension", blank));
+film::Column& tension_column(film::Columns& columns) {
+  if (columns.find("tension") == nullptr) columns.add(film::real_column("tension", 1));
   return *columns.edit("tension");
 }
 
 void apply_to_facets(Reading& reading) {
   scene::Scene& scene = reading.scene;
-  film::Column& tension = tension_column(scene.film.columns(ElementKind::facet), 1);
+  film::Column& tension = tension_column(scene.film.columns(ElementKind::facet));
   for (std::uint32_t t = 0; t < scene.film.triangle_rows(); ++t) {
     const film::RegionPair pair = scene.film.regions(film::Triangle(t));
     if (pair.front.index == 0 || pair.behind.index == 0) continue;
@@ -42,7 +42,7 @@ void apply_to_strings(Reading& reading) {
   film::Columns& columns = scene.film.columns(ElementKind::edge);
   const film::Column* const cells = columns.find(scene::cells_column);
   if (cells == nullptr || cells->width < 2) return;
-  film::Column& tension = tension_column(columns, 1);
+  film::Column& tension = tension_column(columns);
   for (std::uint32_t e = 0; e < scene.film.edge_rows(); ++e) {
     const auto phase = [&](int k) {
       const int cell = std::abs(static_cast<int>(cells->value(e, k)));
@@ -88,7 +88,10 @@ void read_phasefile(Reading& reading, const language::Token& word) {
 void apply_phases(Reading& reading) {
   if (!reading.phases) return;
   reading.rows.face_phases.resize(reading.rows.of(ElementKind::facet).size());
-  reading.scene.strings.on ? apply_to_strings(reading) : apply_to_facets(reading);
+  if (reading.scene.strings.on)
+    apply_to_strings(reading);
+  else
+    apply_to_facets(reading);
 }
 
 }  // namespace lamella::datafile

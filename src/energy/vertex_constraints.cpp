@@ -25,10 +25,6 @@ bool holds_there(const LevelSet& set, const scene::Level& level, const Vec3* for
   return force == nullptr || inward * dot(*force, level.gradient) <= 0;
 }
 
-bool violated(const LevelSet& set, double value) {
-  return set.sense == Sense::equal || (set.sense == Sense::nonnegative ? value < 0 : value > 0);
-}
-
 }  // namespace
 
 VertexConstraints::VertexConstraints(const scene::Scene& scene) {

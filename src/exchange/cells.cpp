@@ -1,10 +1,12 @@
 #include "exchange/cells.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
+
+#include "film/union_find.h"
 
 namespace lamella::exchange {
 
@@ -14,24 +16,6 @@ using film::Triangle;
 using film::Vec3;
 
 namespace {
-
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  // The lowest member names the set.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = of(a);
-    b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 // What faces of facets bound together: 2t is the front of facet t, 2t + 1 its back.
 struct Shell {
@@ -68,7 +52,7 @@ class CellFinder {
   }
 
  private:
-  Shell& shell(std::uint32_t face) { return shells_[faces_.of(face)]; }
+  Shell& shell(std::uint32_t face) { return shells_[faces_.find(face)]; }
 
   // Counterclockwise about an edge comes the front of a side that runs along it.
   void join() {
@@ -87,7 +71,7 @@ class CellFinder {
   void collect() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < film_.triangle_rows(); ++t) {
-      const std::uint32_t own = pieces_of_.of(t);
+      const std::uint32_t own = pieces_of_.find(t);
       const auto [at, made] = pieces_.try_emplace(own);
       Piece& piece = at->second;
       const std::array<Vec3, 3> p = film_.points(Triangle(t));
@@ -156,8 +140,8 @@ class CellFinder {
     std::map<std::uint32_t, double> angles;
     for (const std::uint32_t t : piece.triangles) {
       const double angle = solid_angle(film_.points(Triangle(t)), p);
-      angles[faces_.of(2 * t)] -= angle;
-      angles[faces_.of(2 * t + 1)] += angle;
+      angles[faces_.find(2 * t)] -= angle;
+      angles[faces_.find(2 * t + 1)] += angle;
     }
     for (const auto& [face, angle] : angles) {
       if (face != piece.around && angle > 2 * std::numbers::pi) return &shells_[face];
@@ -179,8 +163,8 @@ class CellFinder {
   }
 
   const Film& film_;
-  Sets faces_;
-  Sets pieces_of_;
+  film::UnionFind faces_;
+  film::UnionFind pieces_of_;
   std::map<std::uint32_t, Shell> shells_;  // by the lowest of their faces
   std::map<std::uint32_t, Piece> pieces_;  // by the lowest of their triangles
 };

@@ -162,7 +162,10 @@ void append(Scene& scene, const Scene& other) {
   for (const Quantity& quantity : other.quantities) {
     const auto same = std::find_if(scene.quantities.begin(), scene.quantities.end(),
                                    [&](const Quantity& known) { return known.name == quantity.name; });
-    same == scene.quantities.end() ? scene.quantities.push_back(quantity) : void(*same = quantity);
+    if (same == scene.quantities.end())
+      scene.quantities.push_back(quantity);
+    else
+      *same = quantity;
   }
   other.variables.for_each([&](language::VariableId id, const language::Variable& variable) {
     if (!variable.is_array()) scene.variables.set(id, variable.value);

@@ -53,12 +53,11 @@ void solve_small(int n, std::array<std::array<double, 3>, 3> a, std::array<doubl
   }
 }
 
-bool violated(const LevelSet& set, double value) {
-  return set.sense == Sense::equal || (set.sense == Sense::nonnegative && value < 0) ||
-         (set.sense == Sense::nonpositive && value > 0);
-}
-
 }  // namespace
+
+bool violated(const LevelSet& set, double value) {
+  return set.sense == Sense::equal || (set.sense == Sense::nonnegative ? value < 0 : value > 0);
+}
 
 std::vector<double> attributes_of(const film::Film& film, const language::Formula& formula, ElementKind kind,
                                   std::uint32_t row) {

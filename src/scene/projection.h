@@ -13,6 +13,9 @@ struct Level {
   film::Vec3 gradient;
 };
 
+// Whether a vertex where the formula has this value must move: always, for an equality.
+bool violated(const LevelSet& set, double value);
+
 // The value and gradient of a formula at a point; attributes are those of the vertex (a row of the film).
 Level level_at(const Scene& scene, const LevelSet& set, const film::Vec3& point, std::uint32_t vertex);
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
+
+#include "film/union_find.h"
 
 namespace lamella::solve {
 
@@ -23,19 +24,14 @@ using Reduced = std::vector<double>;
 
 // The pieces of a film, as lists of vertices; empty if there are too many.
 std::vector<std::vector<std::uint32_t>> pieces_of(const film::Film& film) {
-  std::vector<std::uint32_t> parent(film.vertex_rows());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  film::UnionFind sets(film.vertex_rows());
   for (std::uint32_t e = 0; e < film.edge_rows(); ++e)
-    parent[root(film.ends(film::Edge(e))[0].index)] = root(film.ends(film::Edge(e))[1].index);
+    sets.join(film.ends(film::Edge(e))[0].index, film.ends(film::Edge(e))[1].index);
   std::vector<std::vector<std::uint32_t>> pieces;
   std::vector<std::size_t> piece_of(film.vertex_rows(), SIZE_MAX);
   for (std::uint32_t v = 0; v < film.vertex_rows(); ++v) {
     if (!film.first_end(film::Vertex(v)).valid()) continue;
-    std::size_t& piece = piece_of[root(v)];
+    std::size_t& piece = piece_of[sets.find(v)];
     if (piece == SIZE_MAX) {
       if (pieces.size() == most_pieces) return {};
       piece = pieces.size();

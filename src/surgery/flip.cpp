@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "energy/triangle.h"
+#include "film/ring.h"
 
 namespace lamella::surgery {
 
@@ -100,8 +101,7 @@ void flip(Film& film, const Diagonal& d) {
   // Sides change hands among the two facets, so the rings are read before any is written.
   std::array<std::vector<Side>, 4> rings;
   for (std::size_t i = 0; i < 4; ++i) {
-    film.for_each_side(outer[i].edge.edge(),
-                       [&](Side s) { rings[i].push_back(s == outer[i].old ? outer[i].made : s); });
+    rings[i] = film::ring_with(film, outer[i].edge.edge(), outer[i].old, outer[i].made);
   }
   const auto at = places(film, d);
   film.reattach(EdgeEnd(d.edge, 0), d.w);

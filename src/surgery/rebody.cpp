@@ -1,8 +1,8 @@
 #include "surgery/rebody.h"
 
-#include <algorithm>
-#include <numeric>
 #include <vector>
+
+#include "film/union_find.h"
 
 namespace lamella::surgery {
 
@@ -15,54 +15,38 @@ using film::Triangle;
 
 namespace {
 
+// Two films that follow one another around an edge face the same space between them.
+void join_around(const Film& film, Edge e, film::UnionFind& faces) {
+  film.for_each_side(e, [&](Side s) {
+    const Side next = film.next_around(s);
+    const bool reversed = film.edge_of(s).reversed();
+    const bool next_reversed = film.edge_of(next).reversed();
+    if (film.region_after(s) != film.region_before(next)) return;
+    faces.join(2 * s.triangle().index + (reversed ? 1U : 0U),
+               2 * next.triangle().index + (next_reversed ? 0U : 1U));
+  });
+}
+
 // Sets of faces of facets: 2t is the front of facet t, 2t + 1 its back.
-class FaceSets {
- public:
-  explicit FaceSets(const Film& film) : parent_(2 * std::size_t{film.triangle_rows()}) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
-      if (film.alive(Edge(i))) join_around(film, Edge(i));
-    }
+film::UnionFind faces_of_one_space(const Film& film) {
+  film::UnionFind faces(2 * std::size_t{film.triangle_rows()});
+  for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
+    if (film.alive(Edge(i))) join_around(film, Edge(i), faces);
   }
-
-  std::uint32_t set_of(std::uint32_t face) {
-    while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
-    return face;
-  }
-
- private:
-  // Two films that follow one another around an edge face the same space between them.
-  void join_around(const Film& film, Edge e) {
-    film.for_each_side(e, [&](Side s) {
-      const Side next = film.next_around(s);
-      const bool reversed = film.edge_of(s).reversed();
-      const bool next_reversed = film.edge_of(next).reversed();
-      if (film.region_after(s) != film.region_before(next)) return;
-      join(2 * s.triangle().index + (reversed ? 1U : 0U),
-           2 * next.triangle().index + (next_reversed ? 0U : 1U));
-    });
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = set_of(a);
-    b = set_of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::vector<std::uint32_t> parent_;
-};
+  return faces;
+}
 
 }  // namespace
 
 std::uint32_t divide_bodies(scene::Scene& scene) {
   Film& film = scene.film;
-  FaceSets sets(film);
+  film::UnionFind sets = faces_of_one_space(film);
   const auto old_count = static_cast<std::uint32_t>(scene.bodies.size());
   std::vector<std::uint32_t> owner(2 * std::size_t{film.triangle_rows()}, 0);  // body of a set, once known
   std::vector<bool> has_piece(old_count + 1, false);
   const auto region_of = [&](Region old, std::uint32_t face) {
     if (old.outside()) return old;
-    std::uint32_t& body = owner[sets.set_of(face)];
+    std::uint32_t& body = owner[sets.find(face)];
     if (body == 0 && !has_piece[old.index]) {
       has_piece[old.index] = true;
       body = old.index;

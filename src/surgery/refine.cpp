@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "film/ring.h"
+
 namespace lamella::surgery {
 
 using film::Edge;
@@ -232,8 +234,7 @@ void begin_ring(Film& film, Edge edge, bool backward) {
   const Side first = film.first_side(edge);
   if (!first.valid() || film.edge_of(first).reversed() == backward) return;
   const Side second = film.next_around(first);
-  if (second == first || film.next_around(second) != first) return;
-  if (film.edge_of(second).reversed() == backward) film.set_ring(edge, std::array{second, first});
+  if (film.edge_of(second).reversed() == backward) film::begin_ring(film, second);
 }
 
 // Which side is first is as in the elder program, as the directions of flipped edges depend on it: a tail

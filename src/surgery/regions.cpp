@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+
+#include "film/union_find.h"
 
 namespace lamella::surgery {
 
@@ -34,20 +35,19 @@ struct Shell {
 
 class Shells {
  public:
-  explicit Shells(const Film& film) : film_(film), parent_(2 * std::size_t{film.triangle_rows()}) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+  explicit Shells(const Film& film) : film_(film), faces_(2 * std::size_t{film.triangle_rows()}) {
     for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
       if (!film.alive(Edge(i))) continue;
-      film.for_each_side(Edge(i), [&](Side s) { join(after(s), before(film.next_around(s))); });
+      film.for_each_side(Edge(i), [&](Side s) { faces_.join(after(s), before(film.next_around(s))); });
     }
   }
 
   std::vector<Shell> list() {
     std::vector<Shell> shells;
-    std::vector<std::uint32_t> number(parent_.size(), film::no_index);
-    for (std::uint32_t face = 0; face < parent_.size(); ++face) {
+    std::vector<std::uint32_t> number(faces_.size(), film::no_index);
+    for (std::uint32_t face = 0; face < faces_.size(); ++face) {
       if (!film_.alive(Triangle(face / 2))) continue;
-      std::uint32_t& at = number[find(face)];
+      std::uint32_t& at = number[faces_.find(face)];
       if (at == film::no_index) {
         at = static_cast<std::uint32_t>(shells.size());
         shells.emplace_back().region = label(face);
@@ -70,11 +70,6 @@ class Shells {
     const RegionPair pair = film_.regions(Triangle(face / 2));
     return face % 2 == 0 ? pair.front : pair.behind;
   }
-  std::uint32_t find(std::uint32_t face) {
-    while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
-    return face;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
   // What is behind a facet has its normal pointing outward.
   void measure(Shell& shell) const {
     const Vec3 origin = film_.points(Triangle(shell.faces[0] / 2))[0];
@@ -87,7 +82,7 @@ class Shells {
   }
 
   const Film& film_;
-  std::vector<std::uint32_t> parent_;
+  film::UnionFind faces_;
 };
 
 class Settler {

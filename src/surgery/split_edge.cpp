@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "film/ring.h"
+
 namespace lamella::surgery {
 
 using film::Edge;
@@ -15,13 +17,6 @@ using film::Triangle;
 using film::Vertex;
 
 namespace {
-
-// An edge's sides with those of one facet in other places: rings are read before any facet is written.
-std::vector<Side> ring_with(const Film& film, Edge edge, Side old, Side made) {
-  std::vector<Side> ring;
-  film.for_each_side(edge, [&](Side s) { ring.push_back(s == old ? made : s); });
-  return ring;
-}
 
 struct Halves {
   Edge tail;
@@ -58,8 +53,9 @@ Cut cut_facet(Film& film, Side s, Vertex middle, Halves half, const film::Vec3& 
   film.inherit(part, t);
   const SignedEdge gone = along ? previous : next;
   const SignedEdge kept = along ? next : previous;
-  const auto gone_ring = ring_with(film, gone.edge(), Side(t, along ? k2 : k1), Side(part, along ? 2 : 1));
-  const auto kept_ring = ring_with(film, kept.edge(), Side(t, along ? k1 : k2), Side(t, along ? 2 : 1));
+  const auto gone_ring =
+      film::ring_with(film, gone.edge(), Side(t, along ? k2 : k1), Side(part, along ? 2 : 1));
+  const auto kept_ring = film::ring_with(film, kept.edge(), Side(t, along ? k1 : k2), Side(t, along ? 2 : 1));
   film.rewrite(t, at_head);
   film.set_ring(gone.edge(), gone_ring);
   film.set_ring(kept.edge(), kept_ring);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "film/crossing_grid.h"
+#include "film/union_find.h"
 #include "surgery/wedge.h"
 
 namespace lamella::surgery {
@@ -28,27 +28,14 @@ bool is_out_of_order(const Film& film, Edge e) {
   return !turns_once(unit(film.vector(e)), directions, 0);
 }
 
-class Union {
- public:
-  explicit Union(std::uint32_t rows) : parent_(rows) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(const Tangle& vertices) {
-    for (const Vertex v : vertices) parent_[find(v.index)] = find(vertices[0].index);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 }  // namespace
 
 std::vector<Tangle> united(const Film& film, const std::vector<Tangle>& parts) {
   if (parts.empty()) return {};
-  Union sets(film.vertex_rows());
-  for (const Tangle& part : parts) sets.join(part);
+  film::UnionFind sets(film.vertex_rows());
+  for (const Tangle& part : parts) {
+    for (const Vertex v : part) sets.join(v.index, part[0].index);
+  }
   std::map<std::uint32_t, Tangle> whole;
   for (const Tangle& part : parts) {
     Tangle& into = whole[sets.find(part[0].index)];

@@ -8,8 +8,6 @@
 
 namespace lamella::test {
 
-bool evolver_is_installed();
-
 struct EvolverAnswer {
   std::string output;
   bool loaded = false;

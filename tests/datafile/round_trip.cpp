@@ -10,6 +10,7 @@
 #include "datafile/same_scene.h"
 #include "datafile/write.h"
 #include "energy/measure.h"
+#include "support/evolver.h"
 
 namespace lamella::test {
 
@@ -58,7 +59,7 @@ bool reads_time(const std::string& saved) {
 }
 
 TEST(RoundTrip, IsReadByEvolver) {
-  if (!evolver_is_installed()) GTEST_SKIP() << "Surface Evolver is not installed";
+  if (!trial::evolver_is_installed()) GTEST_SKIP() << "Surface Evolver is not installed";
   for (const std::string& path : all_datafiles()) {
     SCOPED_TRACE(path);
     const auto loaded = load(path);
@@ -186,7 +187,7 @@ function real third(real a) { return a/3 }
 }
 
 TEST(RoundTripOfEverything, IsReadByEvolver) {
-  if (!evolver_is_installed()) GTEST_SKIP() << "Surface Evolver is not installed";
+  if (!trial::evolver_is_installed()) GTEST_SKIP() << "Surface Evolver is not installed";
   scene::Scene scene = rich_scene();
   scene.procedures.erase("third");  // its parameter has a single letter
   scene.procedures["third"] = {"third", "{ return aa/3 }", nullptr, {"real aa"}, true};

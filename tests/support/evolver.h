@@ -1,6 +1,7 @@
 // Surface Evolver, where it is installed: what it prints for a datafile and commands.
 #pragma once
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -34,6 +35,14 @@ inline std::string evolver_output(const std::string& file, const std::string& co
   while (const std::size_t count = std::fread(block, 1, sizeof block, pipe)) output.append(block, count);
   ::pclose(pipe);
   return output;
+}
+
+// What a number is after commands (one a line); not a number where the run does not come to the end.
+inline double evolver_number(const std::string& file, const std::string& commands, const std::string& name) {
+  const std::string said =
+      evolver_output(file, fmt::format("{}\nprintf \"is %.17g\\n\", {}", commands, name));
+  const std::size_t at = said.rfind("is ");
+  return at == std::string::npos ? std::nan("") : std::strtod(said.c_str() + at + 3, nullptr);
 }
 
 }  // namespace lamella::trial
