@@ -101,6 +101,9 @@ void tell(Session& session, const evolution::RelaxReport& report, double seconds
   session.counter("converged") = session.counter("relax_converged") = report.converged() ? 1 : 0;
   session.counter("stable") = report.stable() ? 1 : 0;
   session.counter("negative_modes") = report.stability.negative_modes;
+  if (report.new_meshes > 0)
+    session.tell("the mesh was past mending; a new one has {} facets\n",
+                 session.scene().film.triangle_count());
   if (report.saddles_left > 0)
     session.tell("left {} saddle{} on the way\n", report.saddles_left, report.saddles_left == 1 ? "" : "s");
   session.tell("{} after {} iterations: energy {:.12g}, residual {:.2g}, {:.3f} s\n",

@@ -35,6 +35,7 @@ class Ladder {
     report_.relax.iterations += before.iterations;
     report_.relax.newton_steps += before.newton_steps;
     report_.relax.flips += before.flips;
+    report_.relax.new_meshes += before.new_meshes;
     report_.levels.push_back({scene_.film.triangle_count(), report_.relax.energy});
     return report_.relax.converged();
   }

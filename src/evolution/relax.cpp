@@ -6,14 +6,14 @@
 #include "energy/mesh_quality.h"
 #include "energy/plateau.h"
 #include "energy/triangle.h"
+#include "evolution/new_mesh.h"
+#include "evolution/targets_on_the_way.h"
 #include "scene/constraint_sets.h"
 #include "solve/newton.h"
 #include "solve/reach_volumes.h"
 #include "solve/saddle.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
-#include "surgery/remesh.h"
-#include "surgery/sizing.h"
 #include "surgery/widen.h"
 
 namespace lamella::evolution {
@@ -49,8 +49,10 @@ constexpr double shrunk = 1e-2;
 constexpr double hopeless_angle = 2 * M_PI / 180;
 // A film with volumes to keep may only have a mesh that vanishes: it gets a new one, so many times.
 constexpr int most_new_meshes = 3;
-constexpr int remesh_rounds = 10;
-constexpr surgery::RemeshOptions band{1.4, 0.7, 0.05, 0.15, 1};
+// It must do better than this angle, and may change the energy by this part of it.
+constexpr double usable_angle = 5 * M_PI / 180;
+constexpr double most_change = 0.15;
+constexpr double finer_meshes[] = {1, 1.4, 2, 2.8, 4};
 
 struct FacetSizes {
   double smallest = HUGE_VAL;
@@ -81,6 +83,7 @@ class Relaxer {
 
  private:
   bool meet_targets();
+  bool reach_targets();
   void minimise(MotionKind motion, long iterations, double tolerance);
   bool going() const { return report_.ending == Ending::converged || report_.ending == Ending::step_limit; }
   bool exhausted() const { return report_.iterations >= options_.most_iterations; }
@@ -91,8 +94,10 @@ class Relaxer {
   void approach();
   void tidy();
   void finish();
+  void mend_angles();
   bool find_collapse();
-  bool make_new_mesh();
+  bool renew_mesh();
+  void put_in_order();
   bool newton();
   bool leave();
 
@@ -101,7 +106,6 @@ class Relaxer {
   scene::Monitor& monitor_;
   RelaxReport report_;
   FacetSizes at_start_;
-  int new_meshes_ = 0;
 };
 
 bool Relaxer::meet_targets() {
@@ -158,6 +162,22 @@ bool Relaxer::keep_mesh() {
   return meet_targets() && energy::smallest_angle(scene_.film) > start;
 }
 
+// Volumes that are far from their targets are brought there by strides, and the film into order after each.
+bool Relaxer::reach_targets() {
+  if (options_.motion || !options_.upkeep) return meet_targets();
+  {
+    TargetsOnTheWay targets(scene_);
+    while (!exhausted() && targets.stride()) {
+      if (!meet_targets()) return false;
+      minimise(MotionKind::full, free_iterations, near);
+      if (!going() && report_.ending != Ending::stuck) return false;
+      report_.ending = Ending::converged;
+      if (!keep_mesh() && !going()) return false;
+    }
+  }
+  return meet_targets();
+}
+
 // From a refined equilibrium: it only has to be smoothed. False if that was too much for Newton's method.
 bool Relaxer::start_near() {
   if (!options_.near_start || report_.saddles_left > 0) return false;
@@ -171,6 +191,7 @@ void Relaxer::approach() {
     minimise(MotionKind::full, free_iterations, std::max(near, options_.tolerance));
     if (!going() || exhausted()) return;
     if (options_.upkeep) keep_mesh();
+    if (energy::smallest_angle(scene_.film) < usable_angle) renew_mesh();
     if (find_collapse() || !far_from_end()) return;
   }
 }
@@ -224,6 +245,14 @@ void Relaxer::finish() {
   }
 }
 
+// At the end, where the mesh is unfit still.
+void Relaxer::mend_angles() {
+  if (!options_.upkeep || !report_.converged() || !report_.stability.known) return;
+  if (energy::smallest_angle(scene_.film) > fit_angle) return;
+  keep_mesh();
+  if (going() && !newton() && going()) finish();
+}
+
 // Whether the whole film all but vanished, or a facet that was not like that at the start.
 bool Relaxer::find_collapse() {
   const FacetSizes sizes = facet_sizes(scene_.film);
@@ -231,29 +260,51 @@ bool Relaxer::find_collapse() {
   const bool vanishes =
       sizes.smallest < vanishing * sizes.mean && sizes.smallest < shrunk * at_start_.smallest;
   if (!gone && !(vanishes && energy::smallest_angle(scene_.film) < hopeless_angle)) return false;
-  if (!gone && make_new_mesh()) return false;
+  if (!gone && renew_mesh()) return false;
   report_.ending = Ending::collapsed;
   report_.pinch = scene_.film.position(scene_.film.corners(sizes.which)[0]);
   return true;
 }
 
-// Of edges about as long as those around each place are now. False if that is not called for, or fails.
-bool Relaxer::make_new_mesh() {
-  const bool wanted = options_.upkeep && scene_.has_fixed_volume() && !scene_.film.periodic();
-  if (!wanted || new_meshes_++ == most_new_meshes) return false;
-  film::Columns& columns = scene_.film.columns(film::ElementKind::vertex);
-  const bool sized = columns.find(surgery::size_column) != nullptr;
-  for (int round = 0; round < remesh_rounds; ++round) {
-    surgery::keep_sizes(scene_.film);
-    const surgery::RemeshReport made = surgery::remesh(scene_, band);
-    scene_.film.compact();
-    if (made.operations() == 0) break;
-  }
-  if (!sized) columns.remove(surgery::size_column);
-  scene::constrain_vertices(scene_);
+// Free motion would tear slivers apart, and upkeep takes the shape of a film that is all slivers: then its
+// area jumps.
+void Relaxer::put_in_order() {
+  const film::Film before = scene_.film;
+  const double energy = report_.energy;
   keep_mesh();
-  at_start_ = facet_sizes(scene_.film);
-  return going();
+  if (going() && report_.energy < (1 + most_change) * energy) return;
+  const film::Film kept = scene_.film;
+  const RelaxReport report = report_;
+  scene_.film = before;
+  report_.energy = energy;
+  report_.ending = Ending::converged;
+  if (renew_mesh()) return;
+  scene_.film = kept;
+  report_ = report;
+}
+
+// Facets as large as those of each film, or finer where these are too coarse for its shape. False, and the
+// film as it was, if that is not called for, or fails.
+bool Relaxer::renew_mesh() {
+  const bool wanted = options_.upkeep && scene_.has_fixed_volume() && !scene_.film.periodic();
+  if (!wanted || report_.new_meshes == most_new_meshes) return false;
+  const film::Film before = scene_.film;
+  const double energy = report_.energy;
+  for (const double finer : finer_meshes) {
+    make_new_mesh(scene_, finer);
+    const bool met =
+        energy::smallest_angle(scene_.film) > fit_angle ? meet_targets() : (keep_mesh(), going());
+    const bool kept_shape = std::abs(report_.energy - energy) < most_change * energy;
+    if (met && kept_shape && energy::smallest_angle(scene_.film) > usable_angle) {
+      ++report_.new_meshes;
+      at_start_ = facet_sizes(scene_.film);
+      return true;
+    }
+    scene_.film = before;
+    report_.energy = energy;
+    report_.ending = Ending::converged;
+  }
+  return false;
 }
 
 // Down from a saddle. False if there is no way, or no wish.
@@ -272,18 +323,18 @@ bool Relaxer::leave() {
 }
 
 RelaxReport Relaxer::run() {
-  if (!meet_targets()) return report_;
+  if (!reach_targets()) return report_;
   at_start_ = facet_sizes(scene_.film);
   if (options_.motion) {
     minimise(*options_.motion, options_.most_iterations, options_.tolerance);
   } else {
     do {
       if (start_near()) continue;
-      // Free motion would tear slivers apart.
-      if (options_.upkeep && energy::smallest_angle(scene_.film) < fit_angle) keep_mesh();
+      if (options_.upkeep && energy::smallest_angle(scene_.film) < fit_angle) put_in_order();
       approach();
       tidy();
       if (going() && !exhausted()) finish();
+      mend_angles();
     } while (leave());
   }
   // A stretch on the way may have met its own tolerance when the steps ran out.

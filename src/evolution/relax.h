@@ -25,6 +25,7 @@ struct RelaxReport {
   long newton_steps = 0;
   long flips = 0;
   long saddles_left = 0;
+  long new_meshes = 0;
   double energy = 0;
   double residual = 0;
   solve::Stability stability;  // known only where Newton's method made the end

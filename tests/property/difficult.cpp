@@ -99,6 +99,49 @@ TEST(Difficult, AVolumeRatioOfAThousand) {
   EXPECT_EQ(trial.out("check; print check_count"), "0\n");
 }
 
+// The same from prisms, at one jump, however fine.
+TEST(Difficult, AVolumeRatioOfAThousandFromTheDatafile) {
+  for (const char* refine : {"", "refine; ", "refine 2; ", "refine 3; "}) {
+    Trial trial("difficult/unequal.fe");
+    trial.out(std::string(refine) + "relax");
+    EXPECT_EQ(trial.number("stable"), 1) << refine;
+    EXPECT_NEAR(trial.number("body[1].volume"), 1000, 1e-9) << refine;
+    EXPECT_NEAR(trial.number("body[2].volume"), 1, 1e-12) << refine;
+    EXPECT_EQ(trial.out("check; print check_count"), "0\n") << refine;
+    // From 487.0 on; coarse meshes have more.
+    EXPECT_GT(trial.number("total_area"), 487.0) << refine;
+    if (contains(refine, "2") || contains(refine, "3")) {
+      EXPECT_LT(trial.number("total_area"), 488.5) << refine;
+    }
+  }
+}
+
+TEST(Difficult, ABarBecomesASphere) {
+  for (const char* refine : {"", "refine; ", "refine 2; ", "refine 3; "}) {
+    Trial trial("difficult/far_away.fe");
+    trial.out(std::string(refine) + "relax");
+    EXPECT_EQ(trial.number("stable"), 1) << refine;
+    EXPECT_GT(trial.number("total_area"), sphere) << refine;
+    EXPECT_LT(trial.number("total_area") / sphere - 1, 2.0 / trial.number("facet_count")) << refine;
+    EXPECT_EQ(trial.out("check; print check_count"), "0\n") << refine;
+  }
+}
+
+TEST(Difficult, AVolumeShrunkAtOnce) {
+  const Folder folder;
+  for (const char* wanted : {"1e-4", "1e-8", "1e4"}) {
+    for (const char* refine : {"refine 1; ", "refine 3; "}) {
+      Trial trial;
+      trial.session().load(with(folder, "blown_up.fe", "wanted", wanted));
+      trial.out(std::string(refine) + "relax");
+      const double size = std::pow(std::stod(wanted), 2.0 / 3);
+      EXPECT_EQ(trial.number("stable"), 1) << wanted;
+      EXPECT_NEAR(trial.number("body[1].volume") / std::stod(wanted), 1, 1e-12) << wanted;
+      EXPECT_LT(trial.number("total_area") / size / sphere - 1, 2.0 / trial.number("facet_count")) << wanted;
+    }
+  }
+}
+
 TEST(Difficult, FourFilmsOnAnEdgeAreNamedUnstable) {
   Trial trial("difficult/four_films.fe");
   trial.session().set_quiet(false);
