@@ -24,7 +24,8 @@ note() {  # scene, method
     /^unstable/ { outcome = outcome ", unstable" }
     /^stable/ { outcome = outcome ", stable" }
     /smallest angle/ { angle = $0; sub(/.*smallest angle /, "", angle); sub(/ .*/, "", angle) }
-    /^energy / && $3 == "angle" { energy = $2; angle = $4; outcome = "500 steps" }
+    /^energy / && $3 == "angle" { energy = $2; angle = $4
+      outcome = $6 > 0.001 ? "volumes missed" : "500 steps" }
     /error: / && outcome == "" { outcome = $0; sub(/.*error: /, "refused: ", outcome); gsub(/,/, ";", outcome) }
     /^user / { user = $2 }
     END {
@@ -44,6 +45,8 @@ corner() {
 }
 angle="least := 180; foreach facet ff do { if ff.area > 0 then { aa := ff.edge[1].length; bb := ff.edge[2].length; \
 cc := ff.edge[3].length; $(corner aa bb cc); $(corner bb cc aa); $(corner cc aa bb) } else least := 0 }"
+miss="miss := 0; foreach body air do { if air.target != 0 then { tt := abs(air.volume/air.target - 1); \
+if tt > miss then miss := tt } }"
 
 scene() {  # name, datafile, commands before
   echo "$1" >&2
@@ -53,10 +56,10 @@ scene() {  # name, datafile, commands before
   timed "$lamella" "$2" -e "$3; relax" | note "$1" relax
   command -v evolver > /dev/null || return 0
   for mode in 'g 500' 'U; g 500' 'g 5; hessian; hessian; hessian; hessian; hessian'; do
-    printf 'quiet\n%s\n%s\n%s\nprintf "energy %%.12g angle %%.3g\\n", total_energy, least\nq\nq\n' \
-      "$3" "$mode" "$angle" > "$work/commands"
+    printf 'quiet\n%s\n%s\n%s\n%s\nprintf "energy %%.12g angle %%.3g miss %%.2g\\n", total_energy, least, miss\nq\nq\n' \
+      "$3" "$mode" "$angle" "$miss" > "$work/commands"
     short=$(echo "$mode" | sed 's/g 5; .*/hessian/; s/U; g 500/U/; s/g 500/g/')
-    timed sh -c 'evolver "$0" < "$1"' "$2" "$work/commands" | sed 's/.*\(energy [^ ]* angle [^ ]*\)$/\1/' |
+    timed sh -c 'evolver "$0" < "$1"' "$2" "$work/commands" | sed 's/.*\(energy [^ ]* angle [^ ]* miss [^ ]*\)$/\1/' |
       note "$1" "Evolver $short"
   done
 }
@@ -95,11 +98,14 @@ awk -F, '
   }
   function cell(s, m,   excess, text) {
     text = outcome_of[s, m]
-    if (m != "relax" && outcome_of[s, "relax"] ~ /^converged/ && energy_of[s, m] != "") {
+    if (text ~ /volumes cannot be brought/) text = "volumes missed"
+    if (text == "step limit reached") text = "500 steps"
+    if (text ~ /^refused/) text = "refused"
+    if (m != "relax" && text != "volumes missed" && outcome_of[s, "relax"] ~ /^converged/ && energy_of[s, m] != "") {
       excess = energy_of[s, m] / energy_of[s, "relax"] - 1
       text = sprintf("%+.0e", excess)
       if (excess < 1e-8 && excess > -1e-8) text = "there"
-      if (angle_of[s, m] != "" && angle_of[s, m] + 0 < 5) text = text sprintf(", %.1g°", angle_of[s, m])
+      if (angle_of[s, m] != "" && angle_of[s, m] + 0 < 5) text = text sprintf(", %.0f°", angle_of[s, m])
     }
     return text
   }
