@@ -20,6 +20,7 @@ void restore_volumes(scene::Scene& scene, const energy::Measures& before) {
     if (held.bodies[b].fixed_volume()) held.bodies[b].target_volume = before.volumes[b + 1];
   }
   solve::Problem problem(held);
+  problem.hold_parameters();
   double energy = 0;
   if (problem.linearise_and_restore(scene.film.edit_positions(), energy) != solve::Ending::converged) {
     throw text::Error("the volumes were lost in averaging",

@@ -1,18 +1,21 @@
+#include "session/follow_constraints.h"
 #include "session/session.h"
 
 namespace lamella::session::commands {
 
 namespace {
 
-// Values are computed when they are asked for.
-void run(Session&) {}
+// Values are computed when they are asked for; places are not.
+void run(Session& session) {
+  follow_constraints(session.scene());
+}
 
 }  // namespace
 
 extern const Command recalc_command =
     make_command({.name = "recalc",
                   .aliases = {"showq", "close_show", "free_discards", "whereami", "dump_memlist"},
-                  .summary = "accepted, for scripts say it; values are always up to date",
+                  .summary = "put vertices onto their constraints; values are always up to date",
                   .group = CommandGroup::session},
                  run);
 

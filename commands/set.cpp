@@ -1,4 +1,5 @@
 #include "datafile/attributes.h"
+#include "session/follow_constraints.h"
 #include "session/session.h"
 
 namespace lamella::session::commands {
@@ -16,6 +17,11 @@ bool is_flag(Session& session, const Setting& setting) {
   return known != nullptr && known->type == datafile::KnownColumn::Type::flag;
 }
 
+bool moves_vertices(Session& session, const Setting& setting) {
+  const AttributeRow& row = session.attributes().row(setting.attribute->attribute);
+  return row.kind == language::ElementKind::vertex && (row.name == "x" || row.name == "y" || row.name == "z");
+}
+
 void run(Session& session, const SetOptions& options) {
   const Setting& setting = options.setting;
   language::Evaluation& evaluation = session.evaluation();
@@ -24,6 +30,8 @@ void run(Session& session, const SetOptions& options) {
                       "only yes-or-no attributes such as fixed need none");
   }
   const AttributeSource source = session.attribute_source();
+  std::vector<std::uint32_t> moved;
+  const bool moves = moves_vertices(session, setting);
   for_each_element(*setting.generator, evaluation, [&](const language::Element& element) {
     const double value = setting.value == nullptr ? 1 : evaluate_number(*setting.value, evaluation);
     const int component = evaluate_component(*setting.attribute, evaluation);
@@ -32,8 +40,10 @@ void run(Session& session, const SetOptions& options) {
     } catch (const text::Error& error) {
       throw error.placed_at(setting.place);
     }
+    if (moves) moved.push_back(element.row);
     return true;
   });
+  follow_constraints(session.scene(), moved);
 }
 
 }  // namespace

@@ -73,6 +73,7 @@ void refine(scene::Scene& scene) {
   evolution::refine_everywhere(scene);
   if (!scene.keep_volumes || !scene.has_fixed_volume()) return;
   solve::Problem problem(scene);
+  problem.hold_parameters();
   double energy = 0;
   const solve::Ending ending = solve::reach_volumes(scene, problem, scene.film.edit_positions(), energy);
   if (ending != solve::Ending::converged) throw text::Error(std::string(solve::describe(ending)));

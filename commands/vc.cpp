@@ -18,6 +18,7 @@ struct VolumeControlOptions {
 void restore(Session& session) {
   scene::Scene& scene = session.scene();
   solve::Problem problem(scene);
+  problem.hold_parameters();
   double energy = 0;
   const solve::Ending ending = solve::reach_volumes(scene, problem, scene.film.edit_positions(), energy);
   if (ending != solve::Ending::converged) {

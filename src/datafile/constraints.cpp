@@ -169,9 +169,21 @@ int take_parameter_count(Reading& reading, const Token& boundary) {
   return static_cast<int>(count.number);
 }
 
+// Integrands may depend on places alone.
+void refuse_parameters(Reading& reading) {
+  TokenSource& tokens = reading.tokens;
+  for (std::size_t ahead = 0; !tokens.peek(ahead).ends_line(); ++ahead) {
+    const Token& token = tokens.peek(ahead);
+    const bool parameter = token.is_word("p1") || token.is_word("p2") || token.is_word("p3");
+    if (parameter && !reading.scene.variables.find_id(token.text))
+      reading.refuse(token.place, token.text, "parameters of boundaries in integrands");
+  }
+}
+
 }  // namespace
 
 Formula read_formula(Reading& reading, FormulaKind kind, film::ElementKind element) {
+  if (kind != FormulaKind::parameter) refuse_parameters(reading);
   return language::parse_formula(reading.tokens, kind, reading.scene.variables,
                                  attributes_named(reading, element));
 }

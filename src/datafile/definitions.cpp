@@ -77,22 +77,35 @@ bool take_equals(Reading& reading) {
   return true;
 }
 
-// What may follow the value. Steps and weights only say something of parameters that are optimized.
-void read_parameter_options(Reading& reading) {
+// A number above 0.
+double read_weight(Reading& reading, const Token& word) {
+  reading.tokens.take();
+  take_equals(reading);
+  const text::Place place = reading.tokens.peek().place;
+  const double value = top_value(reading, fmt::format("\"{}\" needs a number", word.text));
+  if (!(value > 0)) throw text::Error(place, fmt::format("\"{}\" must be above 0", word.text));
+  return value;
+}
+
+// What may follow the value: steps and weights, for when the parameter is optimized. Returns whether there
+// were any.
+bool read_parameter_options(Reading& reading, scene::FreeParameter& parameter) {
   TokenSource& tokens = reading.tokens;
+  bool any = false;
   while (true) {
     const Token word = tokens.peek();
-    const bool weight = word.is_word("pdelta") || word.is_word("pscale") ||
-                        (word.is_word("scale") && tokens.peek(1).is_symbol("="));
-    if (weight) {
-      tokens.take();
-      take_equals(reading);
-      top_value(reading, fmt::format("\"{}\" needs a number", word.text));
+    const bool short_name = tokens.peek(1).is_symbol("=");
+    if (word.is_word("pdelta") || (word.is_word("delta") && short_name)) {
+      parameter.delta = read_weight(reading, word);
+      any = true;
+    } else if (word.is_word("pscale") || (word.is_word("scale") && short_name)) {
+      parameter.scale = read_weight(reading, word);
+      any = true;
     } else if (word.is_word("on_assign_call")) {
       reading.refuse(word.place, "on_assign_call", "procedures that run when a parameter changes");
       tokens.skip_line();
     } else {
-      return;
+      return any;
     }
   }
 }
@@ -231,7 +244,7 @@ bool brace_follows(TokenSource& tokens) {
 
 }  // namespace
 
-void read_parameter(Reading& reading) {
+void read_parameter(Reading& reading, bool optimized) {
   const Token name = take_new_name(reading, "a parameter");
   const text::Place after = reading.tokens.peek().place;
   const bool equals = take_equals(reading);
@@ -243,8 +256,17 @@ void read_parameter(Reading& reading) {
   if (!equals) {
     reading.findings.warning(after, fmt::format("a \"=\" is missing after the name \"{}\"", name.text));
   }
-  set_variable(reading, name, top_formula(reading), true);
-  read_parameter_options(reading);
+  language::Value value = top_formula(reading);
+  if (optimized && !std::holds_alternative<double>(value))
+    throw text::Error(name.place, fmt::format("\"{}\" is text, which cannot be optimized", name.text));
+  set_variable(reading, name, std::move(value), true);
+  scene::FreeParameter parameter;
+  parameter.fixed = !optimized;
+  if (!read_parameter_options(reading, parameter) && !optimized) return;
+  const auto variable = reading.scene.variables.find_id(name.text);
+  if (!variable) throw text::Error(name.place, fmt::format("\"{}\" cannot be optimized", name.text));
+  parameter.variable = *variable;
+  reading.scene.parameters.push_back(parameter);
 }
 
 void read_define(Reading& reading) {

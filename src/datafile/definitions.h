@@ -6,7 +6,7 @@
 namespace lamella::datafile {
 
 // These take what follows `parameter` and `define`, which are taken already.
-void read_parameter(Reading& reading);
+void read_parameter(Reading& reading, bool optimized);
 void read_define(Reading& reading);
 
 // Takes a function or procedure whose first word is taken, to its closing brace, and keeps it as it stands

@@ -38,8 +38,6 @@ constexpr std::array<RefusedWord, 40> refused_words = {{
     {"lagrange", "the Lagrange model"},
     {"lagrange_order", "the Lagrange model"},
     {"simplex_representation", "the simplex model"},
-    {"optimizing_parameter", "parameters that are optimized"},
-    {"optimising_parameter", "parameters that are optimized"},
     {"pressure", "the ideal gas model"},
     {"diffusion", "diffusion of gas"},
     {"wulff", "crystalline surface energies"},

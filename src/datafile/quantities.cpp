@@ -188,6 +188,11 @@ void QuantityReader::quantity(const Token& word) {
   if (tokens_.peek().ends_line() && !tokens_.peek(1).is(TokenKind::word)) return;  // only announced
   role(quantity);
   options(quantity);
+  // For formulas; whoever sets the target later sets this too.
+  if (quantity.role == QuantityRole::fixed) {
+    language::Variables& variables = reading_.scene.variables;
+    variables.set(variables.id(scene::target_variable(quantity.name)), quantity.target);
+  }
   if (accept("function")) {
     reading_.refuse(named.place, "function", "quantities that are functions of others");
     skip_declaration(tokens_);

@@ -21,9 +21,10 @@ using language::Token;
 using language::TokenKind;
 
 bool is_declaration_word(std::string_view word) {
-  constexpr std::array<std::string_view, 9> words = {"parameter", "define",     "function",
-                                                     "procedure", "constraint", "constraints",
-                                                     "boundary",  "quantity",   "method_instance"};
+  constexpr std::array<std::string_view, 11> words = {
+      "parameter",      "optimizing_parameter", "optimising_parameter", "define",   "function",
+      "procedure",      "constraint",           "constraints",          "boundary", "quantity",
+      "method_instance"};
   return std::find(words.begin(), words.end(), text::lower(word)) != words.end();
 }
 
@@ -38,8 +39,8 @@ bool at_declaration(TokenSource& tokens) {
 }
 
 [[noreturn]] void refuse_word(const Token& word) {
-  std::vector<std::string> known{"parameter", "define",   "function",   "procedure",
-                                 "#define",   "#include", "constraint", "boundary"};
+  std::vector<std::string> known{"parameter", "define",     "function", "procedure",           "#define",
+                                 "#include",  "constraint", "boundary", "optimizing_parameter"};
   for (const Setting& setting : settings()) known.emplace_back(setting.word);
   collect_sections(known);
   collect_cosmetics(known);
@@ -60,7 +61,9 @@ void read_declaration(Reading& reading) {
   }
   tokens.take();
   if (word.is_word("parameter")) {
-    read_parameter(reading);
+    read_parameter(reading, false);
+  } else if (word.is_word("optimizing_parameter") || word.is_word("optimising_parameter")) {
+    read_parameter(reading, true);
   } else if (word.is_word("define")) {
     read_define(reading);
   } else if (word.is_word("function") || word.is_word("procedure")) {

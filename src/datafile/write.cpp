@@ -76,9 +76,16 @@ void write_settings(std::string& out, const scene::Scene& scene) {
 void write_parameters(std::string& out, const scene::Scene& scene) {
   const std::set<language::VariableId> read = variables_of_formulas(scene);
   scene.variables.for_each([&](language::VariableId id, const language::Variable& variable) {
+    if (scene.variables.name(id).find('.') != std::string::npos) return;  // part of a quantity
     const std::string value = written_value(variable.value);
-    if ((variable.parameter || read.contains(id)) && !value.empty())
+    const auto free = std::find_if(scene.parameters.begin(), scene.parameters.end(),
+                                   [&](const scene::FreeParameter& p) { return p.variable == id; });
+    if (free != scene.parameters.end() && !value.empty()) {
+      put(out, "{} {} = {} pdelta = {} pscale = {}\n", free->fixed ? "parameter" : "optimizing_parameter",
+          scene.variables.name(id), value, free->delta, free->scale);
+    } else if ((variable.parameter || read.contains(id)) && !value.empty()) {
       put(out, "parameter {} = {}\n", scene.variables.name(id), value);
+    }
   });
 }
 

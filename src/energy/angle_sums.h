@@ -2,16 +2,18 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "energy/vertex_star.h"
 #include "film/unfolding.h"
 
 namespace lamella::energy {
 
 using film::Vec3;
 
-// A sum of multiples of angles, or of length times angle, with first derivatives. Rows are those of the
+// A sum of multiples of angles, or of length times angle, with its derivatives. Rows are those of the
 // unfolding in a periodic film.
 class AngleSums {
  public:
@@ -26,6 +28,13 @@ class AngleSums {
   double value(std::span<const Vec3> x) const;
   // Adds `factor` times the gradient; returns the value.
   double add_gradient(std::span<const Vec3> x, double factor, std::span<Vec3> gradient) const;
+  // Adds `factor` times the second derivatives.
+  void add_hessian(std::span<const Vec3> x, double factor, HessianSink& sink) const;
+  // Pairs of rows that it couples without an edge between them.
+  template <class Function>
+  void for_each_far_pair(Function&& function) const {
+    for (const Hinge& hinge : hinges_) function(hinge.first[2], hinge.second[2]);
+  }
   template <class Function>
   void for_each_row(Function&& function) const {
     for (const Corner& corner : corners_) {
@@ -48,8 +57,8 @@ class AngleSums {
     std::array<std::uint32_t, 3> first{};
     std::array<std::uint32_t, 3> second{};
     double times = 1;
-    double turned = 1;  // -1 where the second facet's normal is to be turned to agree
   };
+  static std::optional<std::array<Vec3, 3>> arms_of(const Hinge& hinge, std::span<const Vec3> x);
   double visit(std::span<const Vec3> x, double factor, std::span<Vec3> gradient) const;
 
   std::vector<Corner> corners_;

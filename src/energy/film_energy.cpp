@@ -127,6 +127,16 @@ double FilmEnergy::size_of_fixed(std::size_t i, std::span<const Vec3> positions)
                              scene_.time);
 }
 
+std::vector<std::array<std::uint32_t, 2>> FilmEnergy::far_pairs() const {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  const auto add = [&](std::uint32_t u, std::uint32_t v) {
+    pairs.push_back({vertex_of(film::Vertex(u)).index, vertex_of(film::Vertex(v)).index});
+  };
+  for (const QuantitySum& sum : quantities_) sum.for_each_far_pair(add);
+  for (const QuantitySum& sum : fixed_sums_) sum.for_each_far_pair(add);
+  return pairs;
+}
+
 void FilmEnergy::add_quantity_hessians(std::span<const Vec3> rows, std::span<const double> multipliers,
                                        HessianSink& sink) const {
   for (const QuantitySum& quantity : quantities_) quantity.add_hessian(rows, scene_.time, 1, sink);
@@ -164,6 +174,12 @@ void FilmEnergy::update_held_gradients() {
 void FilmEnergy::set_time(double time) {
   scene_.time = time;
   constraints_.set_time(time);
+}
+
+void FilmEnergy::set_variables(std::span<const language::VariableId> ids, std::span<const double> values) {
+  for (std::size_t i = 0; i < ids.size(); ++i) scene_.variables.set(ids[i], values[i]);
+  scene::bind_formulas(scene_);
+  constraints_.set_variables(scene_.variables);
 }
 
 void FilmEnergy::renew_constraints(std::span<const Vec3> positions, std::span<const Vec3> force) {

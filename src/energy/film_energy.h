@@ -67,6 +67,8 @@ class FilmEnergy {
   void renew_constraints(std::span<const Vec3> positions, std::span<const Vec3> force);
   // Time at which formulas are evaluated.
   void set_time(double time);
+  // New values of variables that formulas read.
+  void set_variables(std::span<const language::VariableId> ids, std::span<const double> values);
 
   // What the energy is made of besides the sweep, for whoever sums second derivatives.
   struct TenseEdge {
@@ -90,6 +92,8 @@ class FilmEnergy {
   // positions and sink go by rows of the unfolding, if any.
   void add_quantity_hessians(std::span<const Vec3> rows, std::span<const double> multipliers,
                              HessianSink& sink) const;
+  // Pairs of vertices that quantities couple without an edge between them.
+  std::vector<std::array<std::uint32_t, 2>> far_pairs() const;
   std::span<const FieldEdge> energy_edges() const { return energy_edges_; }
   std::span<const FieldEdge> content_edges() const { return content_edges_; }
   std::span<const GapEdge> gaps() const { return gaps_; }

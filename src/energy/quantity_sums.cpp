@@ -324,6 +324,12 @@ void QuantitySum::add_hessian(std::span<const Vec3> positions, double time, doub
       }
     }
   }
+  angles_.add_hessian(positions, factor, sink);
+  for (const Star& star : stars_) {
+    const auto add = star.method == Method::sq_mean_curvature ? add_squared_curvature_hessian
+                                                              : add_perpendicular_squared_curvature_hessian;
+    add(star.star, positions, factor * star.factor, sink);
+  }
 }
 
 std::vector<std::uint32_t> QuantitySum::support() const {

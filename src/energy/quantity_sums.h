@@ -13,13 +13,6 @@
 
 namespace lamella::energy {
 
-// Where second derivatives go: d2/d(u)d(v), once for each pair of vertices in whatever order, and for u = v.
-class HessianSink {
- public:
-  virtual ~HessianSink() = default;
-  virtual void add(std::uint32_t u, std::uint32_t v, const Mat3& block) = 0;
-};
-
 // One quantity. Which elements it has, with their orientations and attributes, is found once; formulas point
 // into the scene's quantities, which must live on and be bound.
 class QuantitySum {
@@ -35,9 +28,19 @@ class QuantitySum {
   // Adds `factor` times the gradient to a row for each vertex; returns the value.
   double add_gradient(std::span<const Vec3> positions, double time, double factor,
                       std::span<Vec3> gradient) const;
-  // False where a method has no second derivatives here (those of stars of vertices and of angles).
-  bool has_hessian() const { return stars_.empty() && angles_.empty(); }
   void add_hessian(std::span<const Vec3> positions, double time, double factor, HessianSink& sink) const;
+
+  // Calls function(row, row) for pairs that may have mixed second derivatives without an edge between them.
+  template <class Function>
+  void for_each_far_pair(Function&& function) const {
+    angles_.for_each_far_pair(function);
+    for (const Star& star : stars_) {
+      const std::vector<std::uint32_t> rows = rows_of(star.star);
+      for (std::size_t i = 1; i < rows.size(); ++i) {
+        for (std::size_t k = i + 1; k < rows.size(); ++k) function(rows[i], rows[k]);
+      }
+    }
+  }
 
   // The rows on which it depends, ascending.
   std::vector<std::uint32_t> support() const;

@@ -35,6 +35,32 @@ inline TriangleHessian triangle_area_hessian(const Vec3& a, const Vec3& b, const
   return h;
 }
 
+// How that changes when the first corner moves by w.
+inline TriangleHessian triangle_area_hessian_change(const Vec3& a, const Vec3& b, const Vec3& c,
+                                                    const Vec3& w) {
+  const Vec3 doubled = double_area_vector(a, b, c);
+  const double size = length(doubled);
+  if (!(size > 0)) return {};
+  const Vec3 n = doubled / size;
+  const std::array<Vec3, 3> edge{c - b, a - c, b - a};
+  const std::array<Vec3, 3> edge_change{Vec3{}, w, -w};
+  const Vec3 doubled_change = cross(edge[0], w);
+  const double growth = dot(n, doubled_change) / size;
+  const Vec3 tilt = doubled_change / size - growth * n;
+  const Mat3 along = outer((0.5 / size) * n, n);
+  const Mat3 along_change = (-growth) * along + (0.5 / size) * (outer(tilt, n) + outer(n, tilt));
+  const Mat3 turn_change = film::cross_matrix(0.5 * tilt);
+  TriangleHessian h;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    h[i][i] = 2 * dot(edge[i], edge_change[i]) * along + dot(edge[i], edge[i]) * along_change;
+    h[i][next] = (dot(edge_change[i], edge[next]) + dot(edge[i], edge_change[next])) * along +
+                 dot(edge[i], edge[next]) * along_change - turn_change;
+    h[next][i] = transposed(h[i][next]);
+  }
+  return h;
+}
+
 // Constant in each corner's own position: block ij is eps_ij [k]x with the third corner k.
 constexpr TriangleHessian sixfold_volume_hessian(const Vec3& a, const Vec3& b, const Vec3& c) {
   const std::array<Vec3, 3> corner{a, b, c};

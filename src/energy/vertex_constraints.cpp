@@ -25,6 +25,16 @@ bool holds_there(const LevelSet& set, const scene::Level& level, const Vec3* for
   return force == nullptr || inward * dot(*force, level.gradient) <= 0;
 }
 
+// Whether a level moves with a parameter that is optimized.
+bool moves_with_parameters(const scene::Scene& scene, const LevelSet& set) {
+  const auto reads = [&](const scene::FreeParameter& parameter) {
+    const auto variables = set.formula.variables();
+    return !parameter.fixed &&
+           std::find(variables.begin(), variables.end(), parameter.variable) != variables.end();
+  };
+  return std::any_of(scene.parameters.begin(), scene.parameters.end(), reads);
+}
+
 }  // namespace
 
 VertexConstraints::VertexConstraints(const scene::Scene& scene) {
@@ -48,6 +58,7 @@ VertexConstraints::VertexConstraints(const scene::Scene& scene) {
         const auto at = scene.level_sets.find(std::abs(number));
         if (at == scene.level_sets.end()) continue;
         held.level_sets.push_back(at->first);
+        held.follows = held.follows || moves_with_parameters(scene, at->second);
       }
     }
     if (held.boundary == 0 && held.level_sets.empty()) continue;
@@ -65,6 +76,11 @@ VertexConstraints::VertexConstraints(const scene::Scene& scene) {
   for (const auto& [number, boundary] : scene_.boundaries) {
     for (const language::Formula& formula : boundary.position) moves_ = moves_ || formula.depends_on_time();
   }
+}
+
+void VertexConstraints::set_variables(const language::Variables& variables) {
+  scene_.variables = variables;
+  scene::bind_formulas(scene_);
 }
 
 void VertexConstraints::add_groups(std::vector<std::pair<int, std::uint32_t>>& singles) {
@@ -268,40 +284,55 @@ film::Mat3 VertexConstraints::boundary_curvature(const Held& held, const Vec3& f
   return block;
 }
 
-// As scene::project_to_level_sets does for one level set, lane by lane. Whether a step has arrived is seen
-// from values alone, which cost a quarter of what gradients do.
+// As scene::project_to_level_sets does for one level set, lane by lane. Values alone cost a quarter of what
+// gradients do, and near the level one gradient serves for several steps: each leaves what the last did times
+// the angle by which the level turned on the way.
 bool VertexConstraints::project_block(const LevelSet& set, Points& points) const {
-  constexpr int most_steps = 40;
-  std::array<bool, language::lane_count> done{};
-  language::Lanes before;
+  using language::Lanes;
+  constexpr int most_steps = 80;
+  constexpr double serves = 0.02;  // a gradient, while a step with it leaves no more than this
+  constexpr std::size_t lanes = language::lane_count;
+  // Where a value of this sign holds nothing.
+  const double free_sign = set.sense == Sense::nonnegative ? 1 : set.sense == Sense::nonpositive ? -1 : 0;
+  Lanes rounding;
+  for (std::size_t i = 0; i < lanes; ++i)
+    rounding[i] = 4e-16 * (std::abs(points[0][i]) + std::abs(points[1][i]) + std::abs(points[2][i]) + 1e-300);
+  Lanes going;  // 1, or 0 where the point has arrived
+  going.fill(1);
+  Lanes before;
   before.fill(HUGE_VAL);
-  language::Lanes steepness{};
-  const auto rounding = [&](std::size_t i) {
-    return 4e-16 * (std::abs(points[0][i]) + std::abs(points[1][i]) + std::abs(points[2][i]) + 1e-300);
-  };
-  const auto all_done = [&] { return std::find(done.begin(), done.end(), false) == done.end(); };
+  Lanes steepness{};
+  std::array<Lanes, 3> slope{};
+  bool fresh = true;
   for (int step = 0; step < most_steps; ++step) {
-    const language::First<language::Lanes> levels = set.formula.gradients(points, scene_.time);
-    for (std::size_t i = 0; i < done.size(); ++i) {
-      if (done[i]) continue;
-      const double value = levels.value[i];
-      if (!std::isfinite(value)) return false;
-      const Vec3 gradient{levels.gradient[0][i], levels.gradient[1][i], levels.gradient[2][i]};
-      const double squared = squared_length(gradient);
-      steepness[i] = std::max(std::sqrt(squared), 1e-300);
-      const double distance = std::abs(value) / steepness[i];
-      done[i] = !violated(set, value) || distance <= rounding(i) ||
-                (distance < 100 * rounding(i) && distance >= before[i]);
-      if (done[i]) continue;
-      before[i] = distance;
-      const double multiplier = squared > 0 ? -value / squared : 0;
-      for (std::size_t k = 0; k < 3; ++k) points[k][i] += multiplier * gradient[static_cast<int>(k)];
+    Lanes value;
+    if (fresh) {
+      const language::First<Lanes> levels = set.formula.gradients(points, scene_.time);
+      value = levels.value;
+      slope = levels.gradient;
+      for (std::size_t i = 0; i < lanes; ++i)
+        steepness[i] =
+            std::sqrt(slope[0][i] * slope[0][i] + slope[1][i] * slope[1][i] + slope[2][i] * slope[2][i]) +
+            1e-300;
+    } else {
+      value = set.formula.values(points, scene_.time);
     }
-    if (all_done()) return true;
-    const language::Lanes values = set.formula.values(points, scene_.time);
-    for (std::size_t i = 0; i < done.size(); ++i)
-      done[i] = done[i] || std::abs(values[i]) <= rounding(i) * steepness[i];
-    if (all_done()) return true;
+    double left = 0;
+    double stale = 0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double distance = std::abs(value[i]) / steepness[i];
+      const bool free = fresh && value[i] * free_sign >= 0 && free_sign != 0;
+      const bool stalled = distance < 100 * rounding[i] && distance >= before[i];
+      going[i] = distance <= rounding[i] || free || stalled ? 0 : going[i];
+      stale += distance > serves * before[i] ? going[i] : 0;
+      before[i] = distance;
+      left += going[i] * distance;
+      const double multiplier = going[i] * -value[i] / (steepness[i] * steepness[i]);
+      for (std::size_t k = 0; k < 3; ++k) points[k][i] += multiplier * slope[k][i];
+    }
+    if (left == 0) return true;
+    if (!std::isfinite(left)) return false;
+    fresh = !fresh && stale > 0;
   }
   return false;
 }
@@ -330,7 +361,7 @@ bool VertexConstraints::project(std::span<Vec3> x) {
   for (Held& held : held_) {
     Vec3& at = x[held.vertex];
     if (held.boundary == 0) {
-      if (held.fixed) continue;
+      if (held.fixed && !held.follows) continue;
       all = scene::project_to_level_sets(scene_, held.level_sets, held.vertex, at) && all;
       continue;
     }

@@ -29,6 +29,8 @@ class VertexConstraints {
   bool holds(std::uint32_t vertex) const { return !index_.empty() && index_[vertex] != none; }
   // Formulas that depend on time are evaluated at this time from now on.
   void set_time(double time) { scene_.time = time; }
+  // Formulas are bound to these variables from now on.
+  void set_variables(const language::Variables& variables);
 
   // The directions left at x. One-sided constraints hold where the vertex is on (or beyond) the level and
   // `force` (a row a vertex, may be empty: all of them hold) pushes it outward.
@@ -52,8 +54,8 @@ class VertexConstraints {
   film::Mat3 curvature(std::uint32_t vertex, const Vec3& at, const Vec3& force) const;
 
   // Puts the held vertices of x onto their constraints. A fixed vertex on a boundary goes where its
-  // parameters are now (a boundary may move in time), one on a level set stays. False if one of them cannot
-  // be put there.
+  // parameters are now (a boundary may move in time). One on a level set stays, unless the level depends on a
+  // parameter that is optimized. False if one of them cannot be put there.
   bool project(std::span<Vec3> x);
   // The boundary parameters that belong to x after `project`, written to the scene.
   void publish(scene::Scene& scene) const;
@@ -71,7 +73,8 @@ class VertexConstraints {
   struct Held {
     std::uint32_t vertex = 0;
     int boundary = 0;
-    bool fixed = false;  // on a boundary: the parameters stay; on level sets: the vertex stays
+    bool fixed = false;  // on a boundary: the parameters stay; on level sets: the vertex stays, or follows
+    bool follows = false;
     std::vector<int> level_sets;
     std::array<double, 3> parameters{};
     // Orthonormal: the directions forbidden (level sets) or the only ones allowed (boundaries).

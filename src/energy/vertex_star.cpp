@@ -131,6 +131,16 @@ VertexStar star_of(const Film& film, const film::Unfolding& unfolding, Vertex v)
   return star;
 }
 
+std::vector<std::uint32_t> rows_of(const VertexStar& star) {
+  std::vector<std::uint32_t> rows{star.vertex};
+  for (const auto& corners : star.triangles) {
+    for (const std::size_t k : {std::size_t{1}, std::size_t{2}}) {
+      if (std::find(rows.begin(), rows.end(), corners[k]) == rows.end()) rows.push_back(corners[k]);
+    }
+  }
+  return rows;
+}
+
 StarValue squared_curvature(const VertexStar& star, std::span<const Vec3> positions) {
   const Sums s = sums_of(star, positions);
   if (!(s.area > 0)) return chain(star, positions, 0, 0, {}, {});

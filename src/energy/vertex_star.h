@@ -26,6 +26,9 @@ struct VertexStar {
 
 VertexStar star_of(const film::Film& film, const film::Unfolding& unfolding, film::Vertex v);
 
+// The rows of the star's vertices, its own first.
+std::vector<std::uint32_t> rows_of(const VertexStar& star);
+
 struct StarValue {
   double value = 0;
   Vec3 at_vertex;                                // derivatives by the vertex
@@ -36,5 +39,18 @@ struct StarValue {
 StarValue squared_curvature(const VertexStar& star, std::span<const Vec3> positions);
 // 3/4 A (F.N/N.N)^2: N the gradient of the volume under the triangles.
 StarValue perpendicular_squared_curvature(const VertexStar& star, std::span<const Vec3> positions);
+
+// Where second derivatives go: d2/d(u)d(v), once for each pair of vertices in whatever order, and for u = v.
+class HessianSink {
+ public:
+  virtual ~HessianSink() = default;
+  virtual void add(std::uint32_t u, std::uint32_t v, const Mat3& block) = 0;
+};
+
+// Adds `factor` times their second derivatives.
+void add_squared_curvature_hessian(const VertexStar& star, std::span<const Vec3> positions, double factor,
+                                   HessianSink& sink);
+void add_perpendicular_squared_curvature_hessian(const VertexStar& star, std::span<const Vec3> positions,
+                                                 double factor, HessianSink& sink);
 
 }  // namespace lamella::energy

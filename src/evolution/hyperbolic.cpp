@@ -38,6 +38,7 @@ constexpr double forgetting = 0.9;  // of the best, where the mesh does not get 
 Ending start_at_targets(scene::Scene& scene) {
   if (!scene.keep_volumes || !scene.has_fixed_volume()) return Ending::converged;
   solve::Problem problem(scene);
+  problem.hold_parameters();
   bool ok = false;
   problem.linearise(scene.film.positions(), ok);
   if (!ok) return Ending::volume_lost;

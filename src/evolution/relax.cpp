@@ -122,8 +122,10 @@ bool Relaxer::meet_targets() {
   return ok;
 }
 
+// Free parameters stay: they come with Newton's method.
 void Relaxer::minimise(MotionKind motion, long iterations, double tolerance) {
   solve::Problem problem(scene_);
+  problem.hold_parameters();
   solve::LbfgsOptions options;
   options.motion = motion;
   options.tolerance = tolerance;

@@ -305,8 +305,9 @@ ExpressionPointer ExpressionParser::word() {
   const auto arity = scope_.user_function(name);
   if (called && arity) return user_call(*arity);
   if (called && function != nullptr) return call(*function);
-  text::Place dotted;
-  if (const auto id = dotted_internal(dotted)) return make(InternalUse{*id}, dotted);
+  text::Place place;
+  if (const auto id = dotted_internal(place)) return make(InternalUse{*id}, place);
+  if (const auto id = dotted_variable(place)) return make(VariableUse{*id}, place);
   if (const auto id = scope_.variable(name)) return variable(*id);
   if (arity && arity->most == 0) return user_call(*arity);
   if (const auto id = scope_.internal(name)) return make(InternalUse{*id}, tokens_.take().place);
@@ -319,16 +320,32 @@ ExpressionPointer ExpressionParser::word() {
   unknown_name(tokens_.take());
 }
 
-std::optional<InternalId> ExpressionParser::dotted_internal(text::Place& place) {
+// Two words with a dot between them; empty if that is not what comes.
+std::string ExpressionParser::dotted_name() {
   const Token& name = tokens_.peek();
-  if (!name.is(TokenKind::word) || scope_.locals().find(name.text) != nullptr) return std::nullopt;
-  const std::string first(name.text);
-  if (!tokens_.peek(1).is_symbol(".") || !tokens_.peek(2).is(TokenKind::word)) return std::nullopt;
-  const auto id = scope_.internal(first + "." + std::string(tokens_.peek(2).text));
-  if (!id) return std::nullopt;
-  place = tokens_.take().place;
+  if (!name.is(TokenKind::word) || scope_.locals().find(name.text) != nullptr) return {};
+  std::string first(name.text);
+  if (!tokens_.peek(1).is_symbol(".") || !tokens_.peek(2).is(TokenKind::word)) return {};
+  return std::move(first) + "." + std::string(tokens_.peek(2).text);
+}
+
+text::Place ExpressionParser::take_dotted() {
+  const text::Place begin = tokens_.take().place;
   tokens_.take();
-  place = join(place, tokens_.take().place);
+  return join(begin, tokens_.take().place);
+}
+
+std::optional<InternalId> ExpressionParser::dotted_internal(text::Place& place) {
+  const std::string name = dotted_name();
+  const auto id = name.empty() ? std::nullopt : scope_.internal(name);
+  if (id) place = take_dotted();
+  return id;
+}
+
+std::optional<VariableId> ExpressionParser::dotted_variable(text::Place& place) {
+  const std::string name = dotted_name();
+  const auto id = name.empty() ? std::nullopt : scope_.variable(name);
+  if (id) place = take_dotted();
   return id;
 }
 

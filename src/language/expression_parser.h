@@ -55,6 +55,8 @@ class ExpressionParser {
   void where_clause(Generator& generator);
   // The internal value `name.part`, such as volume.target of a quantity, if one is named next; taken then.
   std::optional<InternalId> dotted_internal(text::Place& place);
+  // The same of a variable whose name has a dot.
+  std::optional<VariableId> dotted_variable(text::Place& place);
   // The indices that follow an array's name.
   std::vector<ExpressionPointer> array_indices(text::Place& place);
   // Numbers in braces, which come next.
@@ -66,6 +68,8 @@ class ExpressionParser {
   Scope& scope() { return scope_; }
 
  private:
+  std::string dotted_name();
+  text::Place take_dotted();
   class Level;
   class Enclosed;
   struct Operator {

@@ -82,14 +82,7 @@ Scalar coordinate(const FormulaInputs& inputs, std::uint32_t row) {
 
 template <class Scalar>
 Scalar coordinate(const LaneInputs& inputs, std::uint32_t row) {
-  if constexpr (std::is_same_v<Scalar, Lanes>) {
-    return inputs.coordinates[row];
-  } else {
-    Scalar result = constant<Scalar>(0);
-    result.value = inputs.coordinates[row];
-    result.gradient[row] = number<Lanes>(1);
-    return result;
-  }
+  return inputs.coordinates[row];
 }
 
 double attribute(const FormulaInputs& inputs, std::uint32_t row) {
@@ -101,10 +94,10 @@ double attribute(const LaneInputs&, std::uint32_t) {
 
 // --- rules, lane by lane
 
-Slopes<double> apply(UnaryRule rule, double a) {
+Slopes<double> slopes_of(UnaryRule rule, double a) {
   return rule(a);
 }
-Slopes<Lanes> apply(UnaryRule rule, const Lanes& a) {
+Slopes<Lanes> slopes_of(UnaryRule rule, const Lanes& a) {
   Slopes<Lanes> d;
   for (std::size_t i = 0; i < lane_count; ++i) {
     const UnaryDerivatives one = rule(a[i]);
@@ -116,11 +109,11 @@ Slopes<Lanes> apply(UnaryRule rule, const Lanes& a) {
 }
 
 template <class Rule>
-SecondOrder apply(const Rule& rule, double a, double b) {
+SecondOrder slopes_of(const Rule& rule, double a, double b) {
   return rule(a, b);
 }
 template <class Rule>
-SlopesOfTwo<Lanes> apply(const Rule& rule, const Lanes& a, const Lanes& b) {
+SlopesOfTwo<Lanes> slopes_of(const Rule& rule, const Lanes& a, const Lanes& b) {
   SlopesOfTwo<Lanes> d;
   for (std::size_t i = 0; i < lane_count; ++i) {
     const SecondOrder one = rule(a[i], b[i]);
@@ -172,12 +165,6 @@ Lanes chosen(const Lanes& condition, const Lanes& yes, const Lanes& no) {
   for (std::size_t i = 0; i < lane_count; ++i) r[i] = condition[i] != 0 ? yes[i] : no[i];
   return r;
 }
-First<Lanes> chosen(const Lanes& condition, const First<Lanes>& yes, const First<Lanes>& no) {
-  First<Lanes> r;
-  r.value = chosen(condition, yes.value, no.value);
-  for (std::size_t k = 0; k < 3; ++k) r.gradient[k] = chosen(condition, yes.gradient[k], no.gradient[k]);
-  return r;
-}
 
 // What one instruction of those that have operands makes of registers.
 template <class Scalar>
@@ -201,26 +188,23 @@ Scalar operate(const FormulaProgram::Instruction& in, Registers<Scalar>& r) {
     case Kind::whole_power:
       return raised(a, in.exponent);
     case Kind::unary:
-      return compose(a, apply(in.unary, value_of(a)));
+      return compose(a, slopes_of(in.unary, value_of(a)));
     case Kind::binary:
-      return compose(a, b, apply(in.binary, value_of(a), value_of(b)));
+      return compose(a, b, slopes_of(in.binary, value_of(a), value_of(b)));
     case Kind::choose:
       return chosen(value_of(a), b, r[in.c]);
     default: {
       const auto rule = [&](double x, double y) { return operator_rule(in.operation, x, y); };
-      return compose(a, b, apply(rule, value_of(a), value_of(b)));
+      return compose(a, b, slopes_of(rule, value_of(a), value_of(b)));
     }
   }
 }
 
-}  // namespace
-
+// Fills all registers that the result depends on.
 template <class Scalar, class Inputs>
-Scalar Formula::run(const Inputs& inputs) const {
-  const FormulaProgram& program = *program_;
-  Registers<Scalar> r(program.instructions.size());
-  for (std::size_t k = 0; k < program.loaded.size(); ++k)
-    r[program.loaded[k]] = constant<Scalar>(uniform_[k]);
+void run(const FormulaProgram& program, std::span<const double> uniform, const Inputs& inputs,
+         Registers<Scalar>& r) {
+  for (std::size_t k = 0; k < program.loaded.size(); ++k) r[program.loaded[k]] = constant<Scalar>(uniform[k]);
   using Kind = FormulaProgram::Kind;
   for (const std::uint32_t i : program.varying) {
     const FormulaProgram::Instruction& in = program.instructions[i];
@@ -234,8 +218,94 @@ Scalar Formula::run(const Inputs& inputs) const {
       r[i] = operate(in, r);
     }
   }
+}
+
+template <class Scalar, class Inputs>
+Scalar result_of(const FormulaProgram& program, std::span<const double> uniform, const Inputs& inputs) {
+  Registers<Scalar> r(program.instructions.size());
+  run(program, uniform, inputs, r);
   return r[program.instructions.size() - 1];
 }
+
+// --- derivatives backward: of the result by each register
+
+// What reaches an operand. Where nothing comes nothing goes, not even times an infinite slope: it belongs to
+// a branch that was not taken.
+void pass_on(Lanes& to, const Lanes& from, const Lanes& slope) {
+  for (std::size_t i = 0; i < lane_count; ++i) to[i] += from[i] != 0 ? from[i] * slope[i] : 0;
+}
+void pass_on(Lanes& to, const Lanes& from, const SlopesOfTwo<Lanes>& d, Lanes& other) {
+  pass_on(to, from, d.a);
+  pass_on(other, from, d.b);
+}
+
+// Hands the derivative by an instruction's register on to those of its operands.
+void hand_back(const FormulaProgram::Instruction& in, Registers<Lanes>& r, const Lanes& from,
+               Registers<Lanes>& by) {
+  using Kind = FormulaProgram::Kind;
+  Lanes& a = by[in.a];
+  Lanes& b = by[in.b];
+  switch (in.kind) {
+    case Kind::logical_not:
+      return;
+    case Kind::negate:
+      a = a - from;
+      return;
+    case Kind::add:
+      a = a + from;
+      b = b + from;
+      return;
+    case Kind::subtract:
+      a = a + from;
+      b = b - from;
+      return;
+    case Kind::multiply:
+      return pass_on(a, from, product(r[in.a], r[in.b]), b);
+    case Kind::divide:
+      return pass_on(a, from, quotient(r[in.a], r[in.b]), b);
+    case Kind::whole_power:
+      return pass_on(a, from, raised(First<Lanes>{r[in.a], {number<Lanes>(1)}}, in.exponent).gradient[0]);
+    case Kind::unary:
+      return pass_on(a, from, slopes_of(in.unary, r[in.a]).first);
+    case Kind::binary:
+      return pass_on(a, from, slopes_of(in.binary, r[in.a], r[in.b]), b);
+    case Kind::choose: {
+      const Lanes none{};
+      b = b + chosen(r[in.a], from, none);
+      by[in.c] = by[in.c] + chosen(r[in.a], none, from);
+      return;
+    }
+    default: {
+      const auto rule = [&](double x, double y) { return operator_rule(in.operation, x, y); };
+      return pass_on(a, from, slopes_of(rule, r[in.a], r[in.b]), b);
+    }
+  }
+}
+
+// One pass back over the instructions, whatever the number of coordinates: forward, every instruction would
+// carry four numbers a lane.
+First<Lanes> gradient_backward(const FormulaProgram& program, std::span<const double> uniform,
+                               const LaneInputs& inputs) {
+  using Kind = FormulaProgram::Kind;
+  const std::size_t count = program.instructions.size();
+  Registers<Lanes> r(count);
+  run(program, uniform, inputs, r);
+  Registers<Lanes> by(count);
+  for (std::size_t i = 0; i < count; ++i) by[i] = {};
+  by[count - 1] = number<Lanes>(1);
+  First<Lanes> result{r[count - 1], {}};
+  for (auto at = program.varying.rbegin(); at != program.varying.rend(); ++at) {
+    const FormulaProgram::Instruction& in = program.instructions[*at];
+    if (in.kind == Kind::coordinate) {
+      result.gradient[in.a] = result.gradient[in.a] + by[*at];
+    } else if (in.kind != Kind::time && in.kind != Kind::attribute) {
+      hand_back(in, r, by[*at], by);
+    }
+  }
+  return result;
+}
+
+}  // namespace
 
 void Formula::find_uniform(std::span<const double> variables, double gravity) {
   const FormulaProgram& program = *program_;
@@ -258,24 +328,24 @@ void Formula::find_uniform(std::span<const double> variables, double gravity) {
 }
 
 double Formula::value(const FormulaInputs& inputs) const {
-  return run<double>(inputs);
+  return result_of<double>(*program_, uniform_, inputs);
 }
 
 Jet Formula::gradient(const FormulaInputs& inputs) const {
-  const auto first = run<First<double>>(inputs);
+  const auto first = result_of<First<double>>(*program_, uniform_, inputs);
   return {first.value, first.gradient, {}};
 }
 
 Jet Formula::hessian(const FormulaInputs& inputs) const {
-  return run<Jet>(inputs);
+  return result_of<Jet>(*program_, uniform_, inputs);
 }
 
 Lanes Formula::values(const std::array<Lanes, 3>& coordinates, double time) const {
-  return run<Lanes>(LaneInputs{coordinates, time});
+  return result_of<Lanes>(*program_, uniform_, LaneInputs{coordinates, time});
 }
 
 First<Lanes> Formula::gradients(const std::array<Lanes, 3>& coordinates, double time) const {
-  return run<First<Lanes>>(LaneInputs{coordinates, time});
+  return gradient_backward(*program_, uniform_, LaneInputs{coordinates, time});
 }
 
 }  // namespace lamella::language

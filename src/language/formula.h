@@ -3,7 +3,7 @@
 //
 // An expression becomes a list of instructions on registers. Run with jets instead of numbers (a value with
 // its gradient and Hessian with respect to up to three coordinates), the same list gives exact derivatives:
-// forward differentiation.
+// forward differentiation. Gradients at many points at once go backward.
 #pragma once
 
 #include <array>
@@ -79,8 +79,6 @@ class Formula {
   First<Lanes> gradients(const std::array<Lanes, 3>& coordinates, double time) const;
 
  private:
-  template <class Scalar, class Inputs>
-  Scalar run(const Inputs& inputs) const;
   void find_uniform(std::span<const double> variables, double gravity);
 
   std::shared_ptr<const FormulaProgram> program_;

@@ -62,6 +62,10 @@ bool is_oriented(Method method) {
   return row_of(method).oriented;
 }
 
+std::string target_variable(std::string_view name) {
+  return std::string(name) + ".target";
+}
+
 std::string membership_column(std::string_view name) {
   return "quantity " + std::string(name);
 }

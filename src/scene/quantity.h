@@ -62,6 +62,9 @@ const Method* method_named(std::string_view name);
 // Whether turning an element over changes the sign.
 bool is_oriented(Method method);
 
+// The variable by which formulas read the target of a fixed quantity: NAME.target.
+std::string target_variable(std::string_view name);
+
 // The column that marks the elements which a quantity or an instance is taken of: integers, 0 for no. The
 // parts of a cut element inherit it. Oriented methods count an element with "orientation" -1 turned over.
 std::string membership_column(std::string_view name);

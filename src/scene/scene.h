@@ -15,6 +15,7 @@
 #include "scene/cells.h"
 #include "scene/constraint.h"
 #include "scene/forces.h"
+#include "scene/free_parameter.h"
 #include "scene/quantity.h"
 
 namespace lamella::scene {
@@ -77,6 +78,7 @@ struct Scene {
   LevelSets level_sets;
   Boundaries boundaries;
   std::vector<Quantity> quantities;
+  std::vector<FreeParameter> parameters;
   StringModel strings;
   double gap_constant = 1;              // of the gap energy at convex constraints
   int edge_integral_order = 3;          // polynomials up to this degree are integrated exactly along edges

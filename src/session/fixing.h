@@ -5,7 +5,14 @@
 
 namespace lamella::session {
 
-// Returns how many elements were not so before. Throws for bodies.
-long set_fixed(Session& session, const Elements& elements, bool fixed);
+// Elements, or one parameter by its name.
+struct Fixable {
+  std::optional<Elements> elements;
+  std::optional<Word> parameter;
+};
+
+// Returns how many elements were not so before. Throws for bodies, and for names that no
+// parameter has.
+long set_fixed(Session& session, const Fixable& what, bool fixed);
 
 }  // namespace lamella::session

@@ -7,11 +7,14 @@
 
 #include "language/letters.h"
 #include "session/argument_parser.h"
+#include "session/follow_constraints.h"
 #include "session/internal_variables.h"
 #include "session/interrupt.h"
+#include "session/parameter_parts.h"
 #include "session/quantity_parts.h"
 #include "session/scene_functions.h"
 #include "session/session.h"
+#include "session/switches.h"
 #include "text/suggest.h"
 
 namespace lamella::session {
@@ -38,6 +41,7 @@ const language::Array* Machine::array(language::VariableId id) {
 
 Value Machine::internal(language::InternalId id) {
   if (is_quantity_part(id)) return quantity_part(session_.scene(), id);
+  if (is_parameter_part(id)) return parameter_part(session_.scene(), id);
   return internal_variable(id).get(session_);
 }
 
@@ -84,8 +88,13 @@ Value Machine::call(const std::string& function, std::span<const Value> argument
   return call_procedure(called, arguments, *this, evaluation_);
 }
 
+// A parameter of the datafile takes along what its formulas hold.
 void Machine::assign(language::VariableId id, Value value) {
-  session_.scene().variables.set(id, std::move(value));
+  scene::Scene& scene = session_.scene();
+  const language::Variable* const known = scene.variables.get(id);
+  const bool moves = known != nullptr && known->parameter && known->value != value;
+  scene.variables.set(id, std::move(value));
+  if (moves && is_on(session_, *find_switch("autorecalc"))) follow_constraints(scene);
 }
 
 void Machine::make_permanent(language::VariableId id) {
@@ -102,6 +111,7 @@ void Machine::assign(language::VariableId id, std::size_t component, double valu
 
 void Machine::assign(language::InternalId id, const Value& value) {
   if (is_quantity_part(id)) return set_quantity_part(session_.scene(), id, value);
+  if (is_parameter_part(id)) return set_parameter_part(session_.scene(), id, value);
   const InternalVariable& variable = internal_variable(id);
   if (variable.set == nullptr)
     throw text::Error(fmt::format("\"{}\" cannot be set: it is {}", variable.name, variable.summary));

@@ -6,6 +6,7 @@
 #include "language/letters.h"
 #include "session/argument_parser.h"
 #include "session/internal_variables.h"
+#include "session/parameter_parts.h"
 #include "session/quantity_parts.h"
 #include "session/refused_words.h"
 #include "session/scene_functions.h"
@@ -35,6 +36,7 @@ std::optional<language::VariableId> Names::variable(std::string_view name) const
 
 std::optional<language::InternalId> Names::internal(std::string_view name) const {
   if (const auto part = find_quantity_part(scene_, name)) return part;
+  if (const auto part = find_parameter_part(scene_, name)) return part;
   return find_internal_variable(name);
 }
 

@@ -66,6 +66,8 @@ void set_quantity_part(scene::Scene& scene, language::InternalId id, const langu
     throw text::Error(fmt::format("{}.{} must be a finite number", quantity.name, part));
   if (part == "target") {
     quantity.target = *number;
+    const std::string read = scene::target_variable(quantity.name);
+    if (scene.variables.find(read) != nullptr) scene.variables.set(scene.variables.id(read), *number);
   } else if (part == "modulus") {
     quantity.modulus = *number;
   } else {

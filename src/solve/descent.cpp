@@ -54,6 +54,7 @@ double Descent::conjugate(double squared) {
 // Moves along the direction and restores volumes about as well as Surface Evolver does. Returns the energy.
 double Descent::move(std::span<Vec3> x, double scale) const {
   for (std::size_t v = 0; v < from_.size(); ++v) x[v] = from_[v] + scale * direction_[v];
+  if (!parameters_from_.empty()) problem_.set_parameters(parameters_from_, scale, parameter_way_);
   return problem_.restore_roughly(x, volume_tolerance);
 }
 
@@ -67,6 +68,8 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
   const bool steepest = rule_ == DescentRule::steepest;
   const double steep = problem_.descent_direction(steepest ? direction_ : force_);
   const double squared = steepest ? steep : conjugate(steep);
+  parameters_from_.assign(problem_.parameters().values().begin(), problem_.parameters().values().end());
+  parameter_way_.assign(problem_.parameter_direction().begin(), problem_.parameter_direction().end());
   if (!std::isfinite(squared)) return {Ending::not_finite, energy, problem_.energy().area()};
   if (fixed) return finish(x, move(x, scale), scale, squared);
   const double start = move(x, 0);
@@ -124,13 +127,11 @@ DescentStep Descent::finish(std::span<Vec3> x, double energy, double scale, doub
   result.scale = scale;
   result.predicted_gain = 0.5 * scale * squared;
   result.area = problem_.energy().area();
-  if (!std::isfinite(energy)) {
-    result.ending = Ending::not_finite;
-    std::copy(from_.begin(), from_.end(), x.begin());
-  } else if (problem_.volume_error() > hopeless) {
-    result.ending = Ending::volume_lost;
-    std::copy(from_.begin(), from_.end(), x.begin());
-  }
+  const bool lost = problem_.volume_error() > hopeless;
+  if (std::isfinite(energy) && !lost) return result;
+  result.ending = std::isfinite(energy) ? Ending::volume_lost : Ending::not_finite;
+  std::copy(from_.begin(), from_.end(), x.begin());
+  if (!parameters_from_.empty()) problem_.set_parameters(parameters_from_);
   return result;
 }
 

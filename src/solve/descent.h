@@ -51,6 +51,8 @@ class Descent {
   std::vector<Vec3> last_force_;
   double last_squared_ = 0;
   std::vector<Vec3> from_;
+  std::vector<double> parameters_from_;
+  std::vector<double> parameter_way_;
   std::vector<Vec3> direction_;
 };
 

@@ -16,17 +16,21 @@ constexpr std::size_t next_of(std::size_t corner) {
   return (corner + 1) % 3;
 }
 
-// Each vertex's neighbours of higher number, sorted, each once; vertices without unknowns are left out.
-void collect_neighbours(const film::Film& film, const Basis& basis, std::vector<std::uint32_t>& start,
+// Each vertex's neighbours of higher number, over edges and as far pairs have it, sorted, each once; vertices
+// without unknowns are left out.
+void collect_neighbours(const film::Film& film, std::span<const std::array<std::uint32_t, 2>> far_pairs,
+                        const Basis& basis, std::vector<std::uint32_t>& start,
                         std::vector<std::uint32_t>& neighbours) {
   const std::size_t vertices = basis.vertex_count();
   start.assign(vertices + 1, 0);
   const auto each_edge = [&](auto&& function) {
-    for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
-      const auto [low, high] =
-          std::minmax(film.ends(film::Edge(e))[0].index, film.ends(film::Edge(e))[1].index);
+    const auto pair = [&](std::uint32_t u, std::uint32_t v) {
+      const auto [low, high] = std::minmax(u, v);
       if (low != high && basis.count(low) > 0 && basis.count(high) > 0) function(low, high);
-    }
+    };
+    for (std::uint32_t e = 0; e < film.edge_rows(); ++e)
+      pair(film.ends(film::Edge(e))[0].index, film.ends(film::Edge(e))[1].index);
+    for (const auto& [u, v] : far_pairs) pair(u, v);
   };
   each_edge([&](std::uint32_t low, std::uint32_t) { ++start[low + 1]; });
   for (std::size_t v = 0; v < vertices; ++v) start[v + 1] += start[v];
@@ -67,7 +71,7 @@ ConstrainedHessian::ConstrainedHessian(const Problem& problem, const film::Film&
 }
 
 void ConstrainedHessian::build_pattern(const Problem& problem, const film::Film& film, const Basis& basis) {
-  collect_neighbours(film, basis, neighbours_start_, neighbours_);
+  collect_neighbours(film, problem.energy().far_pairs(), basis, neighbours_start_, neighbours_);
   std::vector<std::uint32_t> bodies_at(basis.vertex_count());
   const energy::VolumeGradient& volume = problem.energy().volume_gradient();
   volume.for_each_entry([&](std::uint32_t v, int) { ++bodies_at[v]; });

@@ -33,6 +33,7 @@ class ConstrainedHessian {
   void set_mass(std::span<const double> masses, const Basis& basis);
   // Sets the shift; 0 after `assemble`.
   void set_shift(double shift);
+  double shift() const { return shift_; }
 
   const LowerMatrix& matrix() const { return matrix_; }
   // Of each unknown: a third of the area of the films around its vertex.

@@ -29,6 +29,11 @@ Newton::Newton(Problem& problem, const film::Film& film, MotionKind motion)
       from_(film.vertex_rows()),
       direction_(film.vertex_rows()) {}
 
+void Newton::remember(std::span<const Vec3> x) {
+  std::copy(x.begin(), x.end(), from_.begin());
+  parameters_from_.assign(problem_.parameters().values().begin(), problem_.parameters().values().end());
+}
+
 bool Newton::find_direction(std::span<const Vec3> x, SaddlePolicy policy, NewtonStep& result) {
   bool ok = false;
   result.energy = system_.linearise(x, ok);
@@ -37,7 +42,7 @@ bool Newton::find_direction(std::span<const Vec3> x, SaddlePolicy policy, Newton
     result.ending = std::isfinite(result.energy) ? Ending::volume_lost : Ending::not_finite;
     return false;
   }
-  std::copy(x.begin(), x.end(), from_.begin());
+  remember(x);
   bool sound = system_.factorise(0);
   result.negative_modes = sound ? system_.negative_modes() : 0;
   slope_ = sound ? system_.step(reduced_) : 0;
@@ -72,6 +77,8 @@ bool Newton::shift_until_definite(NewtonStep& result) {
 // Leaves x at a part of the step, volumes restored.
 bool Newton::try_fraction(std::span<Vec3> x, double fraction, double& energy) {
   for (std::size_t v = 0; v < x.size(); ++v) x[v] = from_[v] + fraction * direction_[v];
+  if (!parameters_from_.empty())
+    problem_.set_parameters(parameters_from_, fraction, system_.parameter_step());
   const Ending ending = problem_.restore_volumes(x, energy, RestoreMode::same_gradients);
   return ending == Ending::converged && std::isfinite(energy);
 }
@@ -99,7 +106,10 @@ bool Newton::search(std::span<Vec3> x, bool uphill, NewtonStep& result) {
 }
 
 void Newton::finish(std::span<Vec3> x, NewtonStep& result) {
-  if (result.fraction == 0) std::copy(from_.begin(), from_.end(), x.begin());
+  if (result.fraction == 0) {
+    std::copy(from_.begin(), from_.end(), x.begin());
+    if (!parameters_from_.empty()) problem_.set_parameters(parameters_from_);
+  }
   result.energy = problem_.energy().value(x);
   result.area = problem_.energy().area();
 }
@@ -120,7 +130,7 @@ NewtonStep Newton::step_again(std::span<Vec3> x) {
   result.area = problem_.energy().area();
   result.ending = Ending::stuck;
   if (!ok) return result;
-  std::copy(x.begin(), x.end(), from_.begin());
+  remember(x);
   slope_ = system_.step(reduced_);
   result.residual = -0.5 * slope_ / std::abs(result.energy);
   if (!(std::abs(result.residual) < worth_it * std::abs(last_residual_))) return result;

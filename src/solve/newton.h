@@ -45,6 +45,7 @@ class Newton {
   NewtonSystem& system() { return system_; }
 
  private:
+  void remember(std::span<const Vec3> x);
   bool find_direction(std::span<const Vec3> x, SaddlePolicy policy, NewtonStep& result);
   bool shift_until_definite(NewtonStep& result);
   bool search(std::span<Vec3> x, bool uphill, NewtonStep& result);
@@ -55,6 +56,7 @@ class Newton {
   NewtonSystem system_;
   std::vector<double> reduced_;
   std::vector<Vec3> from_;
+  std::vector<double> parameters_from_;
   std::vector<Vec3> direction_;
   double slope_ = 0;
   double last_shift_ = 0;

@@ -55,11 +55,13 @@ double NewtonSystem::linearise(std::span<const Vec3> x, bool& ok) {
   const double energy = problem_.linearise(x, ok);
   if (!ok) return energy;
   basis_.renew(x, problem_.energy().constraints());
+  if (!problem_.parameters().empty()) parameters_ = parameter_border(problem_, basis_, x, ok);
   return finish_linearise(x, energy);
 }
 
 double NewtonSystem::linearise_nearby(std::span<const Vec3> x, bool& ok) {
   const double energy = problem_.linearise(x, ok);
+  if (ok && !problem_.parameters().empty()) parameters_ = parameter_border(problem_, basis_, x, ok);
   return ok ? finish_linearise(x, energy) : energy;
 }
 
@@ -85,22 +87,36 @@ const std::vector<std::vector<double>>& NewtonSystem::rigid() {
   return rigid_;
 }
 
+// What stands in the border's own square. The shift acts on parameters as on modes of the size of what stands
+// there.
+double NewtonSystem::border_square(std::size_t a, std::size_t b) const {
+  const std::size_t rigid = rigid_.size();
+  if (a < rigid || b < rigid) return 0;
+  const double own = parameters_.square[(a - rigid) * parameters_.size() + b - rigid];
+  return a == b ? own + hessian_.shift() / scale_ * std::abs(own) : own;
+}
+
 void NewtonSystem::border() {
   if (bordered_) return;
   bordered_ = true;
-  const std::size_t count = rigid().size();
+  const std::size_t count = rigid().size() + parameters_.size();
   const std::size_t rows = hessian_.unknowns() + hessian_.constraints();
-  solved_.assign(count * rows, 0.0);
-  for (std::size_t c = 0; c < count; ++c) {
+  columns_.assign(count * rows, 0.0);
+  for (std::size_t c = 0; c < rigid_.size(); ++c) {
     for (std::size_t i = 0; i < hessian_.unknowns(); ++i)
-      solved_[c * rows + i] = hessian_.mass()[i] * rigid_[c][i];
+      columns_[c * rows + i] = hessian_.mass()[i] * rigid_[c][i];
   }
+  for (std::size_t k = 0; k < parameters_.size(); ++k)
+    std::copy(parameters_.columns[k].begin(), parameters_.columns[k].end(),
+              columns_.begin() + static_cast<std::ptrdiff_t>((rigid_.size() + k) * rows));
+  solved_ = columns_;
   if (count > 0) factor_->solve(solved_, static_cast<int>(count));
   gram_.assign(count * count, 0.0);
   for (std::size_t a = 0; a < count; ++a) {
     for (std::size_t b = 0; b < count; ++b) {
-      for (std::size_t i = 0; i < hessian_.unknowns(); ++i)
-        gram_[a * count + b] += hessian_.mass()[i] * rigid_[a][i] * solved_[b * rows + i];
+      double sum = -border_square(a, b);
+      for (std::size_t i = 0; i < rows; ++i) sum += columns_[a * rows + i] * solved_[b * rows + i];
+      gram_[a * count + b] = sum;
     }
   }
 }
@@ -115,16 +131,18 @@ std::size_t NewtonSystem::mode_count() const {
   return free - std::min(free, hessian_.constraints());
 }
 
-// Bordering a symmetric matrix A by columns C adds the inertia of -C^T A^-1 C to its own, and each
-// independent column takes one negative and one positive eigenvalue for itself.
+// Bordering a symmetric matrix A by columns C (and a square D) adds the inertia of D - C^T A^-1 C to its own,
+// and each independent rigid column takes one negative and one positive eigenvalue for itself.
 int NewtonSystem::negative_modes() {
   const int negative = negative_modes_with_rigid();
-  if (negative <= 0) return 0;
+  if (negative <= 0 && parameters_.size() == 0) return 0;
   border();
-  if (rigid_.empty()) return negative;
-  const Small gram(gram_.data(), index(rigid_.size()), index(rigid_.size()));
+  const std::size_t count = rigid_.size() + parameters_.size();
+  if (count == 0) return negative;
+  const Small gram(gram_.data(), index(count), index(count));
   const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).eigenvalues();
-  return negative - static_cast<int>((values.array() < 0).count());
+  const int positive = static_cast<int>(count) - static_cast<int>((values.array() < 0).count());
+  return negative + positive - static_cast<int>(rigid_.size());
 }
 
 // Solves with the factorisation and mends what is left of the right-hand side, as long as that shrinks.
@@ -155,21 +173,24 @@ double NewtonSystem::step(std::span<double> reduced) {
   std::vector<double> solution(rows);
   if (!solve_refined(right, solution)) return NAN;
   border();
-  if (const std::size_t count = rigid_.size(); count > 0) {
+  parameter_step_.assign(parameters_.size(), 0);
+  if (const std::size_t count = rigid_.size() + parameters_.size(); count > 0) {
     Eigen::VectorXd part(index(count));
     for (std::size_t c = 0; c < count; ++c) {
-      double sum = 0;
-      for (std::size_t i = 0; i < unknowns; ++i) sum += hessian_.mass()[i] * rigid_[c][i] * solution[i];
+      double sum = c < rigid_.size() ? 0 : -parameters_.force[c - rigid_.size()];
+      for (std::size_t i = 0; i < rows; ++i) sum += columns_[c * rows + i] * solution[i];
       part[index(c)] = sum;
     }
     const Eigen::VectorXd take = Small(gram_.data(), index(count), index(count)).fullPivLu().solve(part);
     for (std::size_t c = 0; c < count; ++c) {
       for (std::size_t i = 0; i < rows; ++i) solution[i] -= take[index(c)] * solved_[c * rows + i];
+      if (c >= rigid_.size()) parameter_step_[c - rigid_.size()] = take[index(c)];
     }
   }
   std::copy_n(solution.begin(), unknowns, reduced.begin());
   double slope = 0;
   for (std::size_t i = 0; i < unknowns; ++i) slope -= force_[i] * reduced[i];
+  for (std::size_t k = 0; k < parameters_.size(); ++k) slope -= parameters_.force[k] * parameter_step_[k];
   return slope;
 }
 

@@ -7,6 +7,7 @@
 
 #include "solve/basis.h"
 #include "solve/hessian.h"
+#include "solve/parameter_border.h"
 #include "solve/problem.h"
 #include "solve/sparse_factor.h"
 
@@ -37,6 +38,8 @@ class NewtonSystem {
   // whole; a reduced vector. Returns the slope of the energy along it (negative: downhill). Not a number
   // where the factorisation is too old to be mended.
   double step(std::span<double> reduced);
+  // The part of the last step that free parameters make.
+  std::span<const double> parameter_step() const { return parameter_step_; }
 
   // Solves with the last factorisation for right-hand sides of `unknowns + constraints` numbers each, one
   // after another, in place.
@@ -57,6 +60,7 @@ class NewtonSystem {
   double finish_linearise(std::span<const Vec3> x, double energy);
   bool solve_refined(std::span<const double> right, std::span<double> solution);
   void border();
+  double border_square(std::size_t a, std::size_t b) const;
 
   Problem& problem_;
   film::Film film_;  // without positions
@@ -69,8 +73,12 @@ class NewtonSystem {
   double scale_ = 0;
   bool rigid_known_ = false;
   std::vector<std::vector<double>> rigid_;
-  // Of the last factorisation, once needed: A^-1 C with C = M rigid, and C^T A^-1 C by rows.
+  ParameterBorder parameters_;
+  std::vector<double> parameter_step_;
+  // Of the last factorisation A, once needed: C = (M rigid, columns of the parameters), A^-1 C, and
+  // C^T A^-1 C by rows, less the derivatives by two parameters.
   bool bordered_ = false;
+  std::vector<double> columns_;
   std::vector<double> solved_;
   std::vector<double> gram_;
 };

@@ -1,5 +1,6 @@
 #include "solve/problem.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -61,6 +62,7 @@ std::string_view describe(Ending ending) {
 
 Problem::Problem(const scene::Scene& scene)
     : energy_(scene),
+      parameters_(scene),
       weights_(inverse_masses(scene.film)),
       gram_(energy_.volume_gradient().rows(), energy_.volume_gradient().pattern()),
       gram_values_(energy_.volume_gradient().pattern().size()) {
@@ -96,10 +98,49 @@ void Problem::set_targets(const scene::Scene& scene) {
 bool Problem::factorise() {
   const energy::VolumeGradient& g = energy_.volume_gradient();
   g.gram(weights_, gram_values_);
-  return gram_.factorise(gram_values_);
+  return gram_.factorise(gram_values_) && (parameters_.empty() || factorise_parameters());
+}
+
+bool Problem::factorise_parameters() {
+  const std::size_t count = parameters_.size();
+  const std::size_t held = targets_.size();
+  const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
+  solved_slopes_.resize(count * held);
+  Eigen::MatrixXd small(at(count), at(count));
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::span<double> column(solved_slopes_.data() + k * held, held);
+    for (std::size_t i = 0; i < held; ++i) errors_[i] = parameters_.held_slope(k, i);
+    gram_.solve(errors_, column);
+    for (std::size_t l = 0; l < count; ++l) {
+      double sum = k == l ? 1 / parameters_.scale(k) : 0;
+      for (std::size_t i = 0; i < held; ++i) sum += parameters_.held_slope(l, i) * column[i];
+      small(at(l), at(k)) = sum;
+    }
+  }
+  const Eigen::MatrixXd inverse = small.inverse();
+  small_inverse_.assign(inverse.data(), inverse.data() + inverse.size());
+  return inverse.allFinite();
+}
+
+void Problem::solve_gram(std::span<const double> right, std::span<double> result) const {
+  gram_.solve(right, result);
+  const std::size_t count = parameters_.size();
+  if (count == 0) return;
+  const std::size_t held = targets_.size();
+  std::vector<double> part(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i < held; ++i) part[k] += parameters_.held_slope(k, i) * result[i];
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    double times = 0;
+    for (std::size_t l = 0; l < count; ++l) times += small_inverse_[l * count + k] * part[l];
+    for (std::size_t i = 0; i < held; ++i) result[i] -= times * solved_slopes_[k * held + i];
+  }
 }
 
 double Problem::linearise(std::span<const Vec3> x, bool& ok) {
+  ok = parameters_.empty() || parameters_.differentiate(energy_, x);
+  if (!ok) return NAN;
   const double energy = energy_.gradient(x);
   ok = std::isfinite(energy);
   if (!ok) return energy;
@@ -120,7 +161,11 @@ bool Problem::find_pressures() {
   if (targets_.empty()) return true;
   if (!factorise()) return false;
   energy_.volume_gradient().dot(weights_, gradient_, errors_);
-  gram_.solve(errors_, pressures_);
+  for (std::size_t k = 0; k < parameters_.size(); ++k) {
+    const double way = parameters_.scale(k) * parameters_.slope(k);
+    for (std::size_t i = 0; i < errors_.size(); ++i) errors_[i] += way * parameters_.held_slope(k, i);
+  }
+  solve_gram(errors_, pressures_);
   return true;
 }
 
@@ -140,7 +185,26 @@ double Problem::descent_direction(std::span<Vec3> direction) {
     direction[v] = weights_[v] * force;
     squared += squared_length(direction[v]);
   }
+  parameter_direction_.resize(parameters_.size());
+  for (std::size_t k = 0; k < parameters_.size(); ++k) {
+    double force = -parameters_.slope(k);
+    for (std::size_t i = 0; i < targets_.size(); ++i) force += pressures_[i] * parameters_.held_slope(k, i);
+    parameter_direction_[k] = parameters_.scale(k) * force;
+    squared += parameters_.scale(k) * force * force;
+  }
   return squared;
+}
+
+bool Problem::force_at(std::span<const Vec3> x, std::span<Vec3> field) {
+  const bool ok = std::isfinite(energy_.gradient(x));
+  energy_.volume_gradient().set_multipliers(pressures_);
+  if (energy_.constraints().touched()) {
+    for (std::size_t v = 0; v < field.size(); ++v) field[v] = force(v);
+    energy_.renew_constraints(x, field);
+  }
+  for (std::size_t v = 0; v < field.size(); ++v) field[v] = weights_[v] * force(v);
+  energy_.constraints().restrict(field);
+  return ok;
 }
 
 Vec3 Problem::force(std::size_t vertex) const {
@@ -178,9 +242,20 @@ double Problem::volume_error() const {
   return worst;
 }
 
+// By the multipliers, as vertices do.
+void Problem::move_parameters() {
+  std::vector<double> values(parameters_.values().begin(), parameters_.values().end());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    for (std::size_t i = 0; i < targets_.size(); ++i)
+      values[k] += parameters_.scale(k) * multipliers_[i] * parameters_.held_slope(k, i);
+  }
+  set_parameters(values);
+}
+
 // Moves x along the volume gradients by what volumes lack to first order. False if it leaves its constraints.
 bool Problem::make_good(std::span<Vec3> x, std::span<const double> errors) {
-  gram_.solve(errors, multipliers_);
+  solve_gram(errors, multipliers_);
+  if (!parameters_.empty()) move_parameters();
   energy_.volume_gradient().set_multipliers(multipliers_);
   for (std::size_t v = 0; v < x.size(); ++v) x[v] += weights_[v] * energy_.volume_gradient().pull(v);
   return constrain(x);
@@ -242,6 +317,7 @@ void Problem::limit(std::span<double> errors) const {
 
 void Problem::publish(scene::Scene& scene) const {
   if (!energy_.constraints().empty()) energy_.constraints().publish(scene);
+  parameters_.publish(scene, parameter_direction_);
   const std::size_t bodies = energy_.constrained().size();
   for (std::size_t i = 0; i < bodies; ++i) scene.body(energy_.constrained()[i]).pressure = pressures_[i];
   for (std::size_t i = bodies; i < targets_.size(); ++i)

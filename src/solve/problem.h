@@ -8,6 +8,7 @@
 
 #include "energy/film_energy.h"
 #include "scene/scene.h"
+#include "solve/free_parameters.h"
 #include "solve/gram_solver.h"
 
 namespace lamella::solve {
@@ -56,14 +57,30 @@ class Problem {
   // `direction` has a row a vertex. Returns its squared length.
   double descent_direction(std::span<Vec3> direction);
   std::span<const double> pressures() const { return pressures_; }
+  // After `descent_direction`: what it is for the free parameters, each times its scale.
+  std::span<const double> parameter_direction() const { return parameter_direction_; }
   // After `descent_direction`: the whole force at a vertex, with what its constraints and weight would take
   // out.
   Vec3 force(std::size_t vertex) const;
+  // Minus the gradient at other positions with the pressures as they are, within the constraints there (and
+  // where fixed vertices are, 0). False where it is not finite.
+  bool force_at(std::span<const Vec3> x, std::span<Vec3> field);
   // Takes out of a field what changes volumes to first order, and what would move fixed vertices.
   void project(std::span<Vec3> field);
 
   // Puts x onto the constraints of its vertices. False where that fails.
   bool constrain(std::span<Vec3> x);
+
+  // The scene's parameters that are unknowns too; moving them moves the levels and boundaries that vertices
+  // are to be put onto.
+  FreeParameters& parameters() { return parameters_; }
+  const FreeParameters& parameters() const { return parameters_; }
+  void set_parameters(std::span<const double> values) { parameters_.set(energy_, values); }
+  void set_parameters(std::span<const double> from, double times, std::span<const double> way) {
+    parameters_.set(energy_, from, times, way);
+  }
+  // They stay as they are from now on.
+  void hold_parameters() { parameters_ = {}; }
 
   // energy - sum pressures * (volume - target), with the pressures of the last `linearise`.
   double merit(std::span<const Vec3> x);
@@ -90,18 +107,27 @@ class Problem {
 
  private:
   bool factorise();
+  bool factorise_parameters();
   bool find_pressures();
+  void solve_gram(std::span<const double> right, std::span<double> result) const;
+  void move_parameters();
   void volume_errors(std::span<double> errors) const;
   void limit(std::span<double> errors) const;
   bool make_good(std::span<Vec3> x, std::span<const double> errors);
 
   energy::FilmEnergy energy_;
+  FreeParameters parameters_;
   std::vector<double> weights_;
   std::vector<double> targets_;
   std::vector<double> volume_scale_;  // for relative errors
   double volume_tolerance_ = 0;       // relative
   GramSolver gram_;
   std::vector<double> gram_values_;
+  // What free parameters add to the Gram matrix, G + A S A^T: the columns G^-1 A, and the inverse of
+  // S^-1 + A^T G^-1 A (M. Woodbury, 1950).
+  std::vector<double> solved_slopes_;
+  std::vector<double> small_inverse_;
+  std::vector<double> parameter_direction_;
   std::vector<double> pressures_;
   std::vector<double> errors_;
   std::vector<double> multipliers_;

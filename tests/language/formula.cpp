@@ -60,7 +60,7 @@ TEST(Formula, LanesAgreeWithPoints) {
       const std::array<double, 3> at{points[0][i], points[1][i], points[2][i]};
       const Jet jet = f.gradient({at, 0.25, {}});
       EXPECT_EQ(values[i], f.value({at, 0.25, {}}));
-      EXPECT_NEAR(firsts.value[i], jet.value, 1e-15 * std::abs(jet.value));
+      EXPECT_EQ(firsts.value[i], values[i]);
       for (std::size_t k = 0; k < 3; ++k)
         EXPECT_NEAR(firsts.gradient[k][i], jet.gradient[k], 1e-14 * (1 + std::abs(jet.gradient[k])));
     }
