@@ -239,6 +239,11 @@ void pass_on(Lanes& to, const Lanes& from, const SlopesOfTwo<Lanes>& d, Lanes& o
   pass_on(other, from, d.b);
 }
 
+Lanes power_slope(const Lanes& a, int n) {
+  if (n == 0) return {};
+  return n == 2 ? a + a : number<Lanes>(n) * whole_power(a, n - 1);
+}
+
 // Hands the derivative by an instruction's register on to those of its operands.
 void hand_back(const FormulaProgram::Instruction& in, Registers<Lanes>& r, const Lanes& from,
                Registers<Lanes>& by) {
@@ -264,7 +269,7 @@ void hand_back(const FormulaProgram::Instruction& in, Registers<Lanes>& r, const
     case Kind::divide:
       return pass_on(a, from, quotient(r[in.a], r[in.b]), b);
     case Kind::whole_power:
-      return pass_on(a, from, raised(First<Lanes>{r[in.a], {number<Lanes>(1)}}, in.exponent).gradient[0]);
+      return pass_on(a, from, power_slope(r[in.a], in.exponent));
     case Kind::unary:
       return pass_on(a, from, slopes_of(in.unary, r[in.a]).first);
     case Kind::binary:
