@@ -104,7 +104,23 @@ void read_periods(Reading& reading, const Token& word) {
   reading.periods = periods;
 }
 
-constexpr std::array<Setting, 29> setting_table = {{
+// Ways of measuring that differ only where edges are curved, which they never are here.
+void read_method_name(Reading& reading, const Token& word) {
+  constexpr std::array<std::string_view, 6> straight = {
+      "edge_length", "circular_arc_length", "edge_area", "circular_arc_area", "facet_area", "facet_volume"};
+  const Token name = reading.tokens.peek();
+  if (!name.is(language::TokenKind::string))
+    throw text::Error(name.place, fmt::format("\"{}\" needs the name of a method, in quotes", word.text));
+  reading.tokens.take();
+  if (std::find(straight.begin(), straight.end(), text::lower(name.content)) == straight.end())
+    return reading.refuse(word.place, word.text, "ways of measuring that are not straight");
+  reading.scene.cosmetics.push_back({text::lower(word.text), std::string(name.text)});
+}
+
+constexpr std::array<Setting, 32> setting_table = {{
+    {"area_method_name", read_method_name},
+    {"length_method_name", read_method_name},
+    {"volume_method_name", read_method_name},
     {"torus", read_torus},
     {"symmetry_group", read_symmetry_group},
     {"autopop", read_way_of_moving},
