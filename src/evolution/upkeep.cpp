@@ -86,18 +86,6 @@ std::vector<std::uint8_t> stiff_places(const scene::Scene& scene, double limit) 
   return chosen;
 }
 
-// Rings of sides begin with the lowest, as in a film that was just loaded: what follows is then the same.
-void begin_rings_alike(film::Film& film) {
-  std::vector<film::Side> ring;
-  for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
-    ring.clear();
-    film.for_each_side(film::Edge(e), [&](film::Side side) { ring.push_back(side); });
-    if (ring.size() < 2) continue;
-    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-    film.set_ring(film::Edge(e), ring);
-  }
-}
-
 int flip_there(film::Film& film, const std::vector<std::uint8_t>& chosen) {
   int flips = 0;
   for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
@@ -171,7 +159,7 @@ bool keep_mesh_in_motion(scene::Scene& scene, double limit) {
   const Balance before = balance(scene);
   const double energy = potential_energy(scene);
   const std::vector<std::uint8_t> chosen = stiff_places(scene, limit);
-  begin_rings_alike(film);
+  film.begin_rings_alike();
   std::vector<Vec3> speeds = velocities(film);
   std::vector<Vec3> moves(speeds.size());
   for (int round = 0; round < rounds; ++round) {

@@ -113,6 +113,25 @@ void Film::reattach(EdgeEnd end, Vertex to) {
   insert_end(end, to);
 }
 
+void Film::begin_rings_alike() {
+  Connectivity& c = connectivity_.edit();
+  for (EdgeEnd& first : c.vertex_end) {
+    if (first != dead_vertex) first = {};
+  }
+  for (std::uint32_t i = 0; i < edge_rows(); ++i) {
+    const Edge e(i);
+    if (!alive(e)) continue;
+    for (int end = 0; end < 2; ++end) insert_end(EdgeEnd(e, end), ends(e)[static_cast<std::size_t>(end)]);
+    Side& first = c.edge_side[i];
+    const Side start = first;
+    for (Side s = start; s.valid();) {
+      if (s.index < first.index) first = s;
+      s = c.next_side[s.index];
+      if (s == start) break;
+    }
+  }
+}
+
 void Film::remove(Triangle t) {
   Connectivity& c = connectivity_.edit();
   for (int k = 0; k < 3; ++k) remove_side(Side(t, k), edge_of(Side(t, k)).edge());

@@ -183,6 +183,10 @@ class Film {
   void replace_in_ring(Edge e, Side old, Side made);
   // Lets an edge end at another vertex; triangles are not told.
   void reattach(EdgeEnd end, Vertex to);
+  // Puts the rings of sides and of ends into an order that follows from the rows alone, as in a film that was
+  // just read: what is done to it next is then the same, to the last bit. Around an edge the ring stays and
+  // begins with its lowest side; around a vertex ends stand as if edges had been added row by row.
+  void begin_rings_alike();
   void set_regions(Triangle t, RegionPair regions) {
     connectivity_.edit().triangle_regions[t.index] = regions;
   }

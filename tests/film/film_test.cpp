@@ -151,6 +151,30 @@ TEST(Film, RemovalLeavesASoundFilmAndCompactionKeepsNumbers) {
   EXPECT_FALSE(film.vertex_numbered(100000).valid());
 }
 
+// After removals and compaction, as in a film whose rows were added one after another.
+TEST(Film, RingsThatBeginAlikeFollowFromRows) {
+  Film film = test::random_foam(5).film;
+  for (std::uint32_t t = 0; t < film.triangle_rows(); t += 7) film.remove(Triangle(t));
+  film.compact();
+  film.begin_rings_alike();
+  Film again;
+  for (const Vec3& p : film.positions()) again.add_vertex(p);
+  for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
+    const auto ends = film.ends(Edge(e));
+    again.add_edge(ends[0], ends[1]);
+  }
+  const auto ends_at = [](const Film& of, std::uint32_t v) {
+    std::vector<EdgeEnd> list;
+    of.for_each_end(Vertex(v), [&](EdgeEnd end) { list.push_back(end); });
+    return list;
+  };
+  for (std::uint32_t v = 0; v < film.vertex_rows(); ++v) EXPECT_EQ(ends_at(film, v), ends_at(again, v)) << v;
+  for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
+    film.for_each_side(Edge(e), [&](Side s) { EXPECT_LE(film.first_side(Edge(e)), s) << e; });
+  }
+  expect_sound(film);
+}
+
 TEST(Film, NewElementsGetNumbersAboveAllOthers) {
   scene::Scene scene = test::cube();
   scene.film.remove(Triangle(0U));
