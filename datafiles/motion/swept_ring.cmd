@@ -1,5 +1,10 @@
-// On swept_ring.fe: a ring is swept through the air, and its film bulges behind it.
-refine 4
-wind (0, 0, 0)
-evolve 300 dt 0.005
-print min(vertices, z) - max(vertices, z)
+// On swept_ring.fe: a ring is swept through the air. Its film bulges behind it until its neck closes: a bubble is
+// left behind, and its volume is kept from then on.
+topology on
+speed := 3
+refine 3
+wind (0, 0, 0) pressure 2
+on birth { print "a bubble is born" }
+evolve 150 dt 0.01
+print body_count
+print sum(bodies, volume)

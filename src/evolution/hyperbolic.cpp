@@ -78,6 +78,12 @@ class Walk {
   void begin_topology();
   bool can_move(const scene::Scene& scene) const;
   bool keep_topology(bool at_end);
+  bool go_back(const std::vector<surgery::Tangle>& tangles);
+  struct Look {
+    bool changed;
+    bool sound;
+  };
+  Look look(bool sound, bool mend);
   double part_of_step(double most) const;
 
   scene::Scene& scene_;
@@ -193,35 +199,50 @@ bool Walk::keep_topology(bool at_end) {
   if (!topology_.is_due(motion_->positions(), at_end)) return true;
   Stopwatch watch;
   motion_->store();
-  const std::vector<surgery::Tangle> tangles = surgery::tangles(scene_.film);
+  const std::vector<surgery::Tangle> tangles = topology_.tangles(scene_.film);
+  bool goes_on = true;
   if (!tangles.empty() && retreat_.ready()) {
-    const bool goes_on = retreat_.go_back(scene_, tangles);
-    ++report_.retreats;
-    renew_motion();
-    motion_->hold_together(retreat_.held());
-    watch.lap(report_.times.surgery);
-    return goes_on;
+    goes_on = go_back(tangles);
+  } else {
+    if (!tangles.empty()) topology_.forget_way();
+    if (look(tangles.empty(), at_end).sound) retreat_.remember(scene_, Retreat::Known::sound);
   }
-  bool sound = tangles.empty();
+  motion_->hold_together(retreat_.held());
+  watch.lap(report_.times.surgery);
+  return goes_on;
+}
+
+// What had waited at the moment gone back to does so no longer: it may be what tangled.
+bool Walk::go_back(const std::vector<surgery::Tangle>& tangles) {
+  const bool goes_on = retreat_.go_back(scene_, tangles);
+  ++report_.retreats;
+  renew_motion();
+  if (!goes_on || !topology_.waits()) return goes_on;
+  const Look mended = look(true, true);
+  if (mended.changed && mended.sound) retreat_.remember(scene_, Retreat::Known::sound);
+  return true;
+}
+
+Walk::Look Walk::look(bool sound, bool mend) {
   const scene::Scene before = scene_;
-  if (topology_.look(scene_, sound)) {
+  if (topology_.look(scene_, sound, mend)) {
     std::vector<surgery::Event> events = topology_.take_events();
     // A region that cannot keep its volume must not come about.
     if (motion_->is_sound() && !events.empty() && !can_move(scene_)) {
       scene_ = before;
+      topology_.forget_way();
       events.clear();
     }
     if (on_events_ && !events.empty()) {
       on_events_(scene_, events);
-      sound = sound && surgery::tangles(scene_.film).empty();
+      topology_.forget_way();
+      sound = sound && topology_.tangles(scene_.film).empty();
     }
     renew_motion();
     scene_.mesh_fitness = motion_->fitness();
+    return {true, sound};
   }
-  if (sound) retreat_.remember(scene_, Retreat::Known::sound);
-  motion_->hold_together(retreat_.held());
-  watch.lap(report_.times.surgery);
-  return true;
+  return {false, sound};
 }
 
 EvolveReport Walk::run(long steps) {

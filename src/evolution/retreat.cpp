@@ -30,12 +30,12 @@ void Retreat::remember(const scene::Scene& scene, Known known) {
   safe_ = scene;
   known_ = known;
   attempts_ = 0;
+  part_ = std::min(1.0, 2 * part_);
   if (!same_mesh || ++looks_held_ > most_looks_held) held_.clear();
 }
 
 bool Retreat::go_back(scene::Scene& scene, const std::vector<surgery::Tangle>& tangles) {
   scene = *safe_;
-  ++count_;
   if (++attempts_ > most_attempts) return false;
   part_ = std::max(least_part, std::ldexp(1.0, -attempts_));
   looks_held_ = 0;

@@ -25,11 +25,9 @@ class Retreat {
   // the scene is then back there, too.
   bool go_back(scene::Scene& scene, const std::vector<surgery::Tangle>& tangles);
 
-  // Of the steps that would be made otherwise. Steps that go well make it whole again.
+  // Of the steps that would be made otherwise. Each moment at which the film is sound doubles it, up to 1.
   double part_of_step() const { return part_; }
-  void step_made() { part_ = part_ < 0.5 ? 2 * part_ : 1; }
   const std::vector<surgery::Tangle>& held() const { return held_; }
-  long count() const { return count_; }
 
  private:
   std::optional<scene::Scene> safe_;
@@ -38,7 +36,6 @@ class Retreat {
   int attempts_ = 0;
   int looks_held_ = 0;
   double part_ = 1;
-  long count_ = 0;
 };
 
 }  // namespace lamella::evolution

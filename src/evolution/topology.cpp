@@ -9,7 +9,6 @@
 #include "film/check.h"
 #include "scene/constraint_sets.h"
 #include "surgery/sizing.h"
-#include "surgery/tangle.h"
 
 namespace lamella::evolution {
 
@@ -23,14 +22,16 @@ namespace {
 // In units of the mesh's size.
 constexpr double look_after = 0.05;  // the way of a vertex from look to look
 constexpr double look_after_tight = 0.01;
+constexpr double mend_after = 0.2;  // and until what can wait is mended
 constexpr double look_at_end = 1e-3;
 constexpr double contact = 0.15;     // sheets nearer than this touch
 constexpr double list_margin = 0.5;  // of the list of near pairs
 constexpr double step_near = 0.05;   // the way in a step of sheets that are near one another
 constexpr double step_any = 0.25;    // and of any vertex: two cannot cross the margin of the list
 constexpr double hard_gap = 0.08;    // sheets that touch and cannot merge come no nearer
-// The velocities around a change of the mesh are scaled by no more than this, to keep the energy.
+
 constexpr int most_rings_held = 5;  // around films that would meet where volumes are restored
+// The velocities around a change of the mesh are scaled by no more than this, to keep the energy.
 constexpr double least_factor = 0.9;
 constexpr double most_factor = 1.1;
 
@@ -54,27 +55,6 @@ bool restore_elsewhere(Scene& scene, std::span<const surgery::Tangle> held) {
   else
     columns.remove("fixed");
   return restored;
-}
-
-// What holds vertices and the volumes. Of a film that is sound, what would pass through itself on the way
-// stays where it is, and more and more around it.
-bool put_right(Scene& scene, bool sound) {
-  const Film& film = scene.film;
-  if (!scene.has_fixed_volume() || film.triangle_count() == 0) {
-    scene::constrain_vertices(scene);
-    return true;
-  }
-  const Scene before = scene;
-  std::vector<surgery::Tangle> held;
-  for (int rings = 0; rings < most_rings_held; ++rings) {
-    if (!(held.empty() ? restore_volumes(scene) : restore_elsewhere(scene, held))) return false;
-    if (!sound) return true;
-    const std::vector<surgery::Tangle> tangles = surgery::tangles(film);
-    if (tangles.empty()) return true;
-    for (const surgery::Tangle& tangle : tangles) held.push_back(surgery::grown(film, tangle, rings));
-    scene = before;
-  }
-  return false;
 }
 
 // Flags, by the rows of the film after compaction, for vertices named by rows before.
@@ -165,39 +145,54 @@ class Touched {
   std::vector<Vec3> velocities_;
 };
 
-// Whether a film is no worse than it was: sound, and labelled soundly.
-bool is_fit(const Film& film, const surgery::TopologyReport& report, bool sound, bool labelled) {
-  if (labelled && !report.events.empty() && !film::check_regions(film, 1).empty()) return false;
-  return !sound || surgery::tangles(film).empty();
-}
-
 }  // namespace
 
 TopologyKeeper::TopologyKeeper() : proximity_(contact, list_margin) {}
 
 bool TopologyKeeper::begin(Scene& scene) {
-  if (!surgery::has_sizes(scene.film) || surgery::needs_look(scene, options_)) return false;
+  surgery::keep_sizes(scene.film);
+  if (surgery::needs_look(scene, options_)) return false;
   note_place(scene.film);
   return true;
 }
 
 void TopologyKeeper::note_place(const Film& film) {
   seen_.assign(film.positions().begin(), film.positions().end());
+  reaches_.assign(seen_.size(), 0);
   sizes_.resize(seen_.size());
   for (std::uint32_t v = 0; v < sizes_.size(); ++v) sizes_[v] = surgery::size_of(film, Vertex(v));
 }
 
-bool TopologyKeeper::is_due(std::span<const Vec3> positions, bool at_end) const {
-  if (seen_.size() != positions.size()) return true;
-  const double part = at_end ? look_at_end : tight_ ? look_after_tight : look_after;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const double most = part * sizes_[v];
-    if (squared_length(positions[v] - seen_[v]) > most * most) return true;
+bool TopologyKeeper::is_mending_due(const Film& film) const {
+  const std::span<const Vec3> positions = film.positions();
+  if (mended_.size() != positions.size()) return true;
+  for (std::uint32_t v = 0; v < mended_.size(); ++v) {
+    const double most = mend_after * surgery::size_of(film, Vertex(v));
+    if (squared_length(positions[v] - mended_[v]) > most * most) return true;
   }
-  return false;
+  return surgery::has_narrow_wedges(film, options_) ||
+         (!far_out_ && surgery::is_far_out_of_band(film, options_));
 }
 
-bool TopologyKeeper::look(Scene& scene, bool sound) {
+bool TopologyKeeper::is_due(std::span<const Vec3> positions, bool at_end) {
+  if (seen_.size() != positions.size()) return true;
+  const double part = at_end ? look_at_end : tight_ ? look_after_tight : look_after;
+  bool due = false;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const double way = length(positions[v] - seen_[v]);
+    reaches_[v] = std::max(reaches_[v], way);
+    due = due || way > part * sizes_[v];
+  }
+  return due;
+}
+
+std::vector<surgery::Tangle> TopologyKeeper::tangles(const Film& film) {
+  std::vector<surgery::Tangle> found = watch_.look(film, reaches_);
+  std::fill(reaches_.begin(), reaches_.end(), 0.0);
+  return found;
+}
+
+bool TopologyKeeper::look(Scene& scene, bool sound, bool mend) {
   ++counts_.looks;
   Film& film = scene.film;
   if (film.periodic()) return false;
@@ -207,7 +202,9 @@ bool TopologyKeeper::look(Scene& scene, bool sound) {
       proximity_.empty() ? std::vector<surgery::Contact>{} : proximity_.contacts(film, film.positions());
   bool changed = false;
   tight_ = false;
-  if (!contacts.empty() || surgery::needs_look(scene, options_)) {
+  waits_ = !mend && !is_mending_due(film);
+  const bool mends = !waits_ && surgery::needs_look(scene, options_);
+  if (!contacts.empty() || mends) {
     // Where all that is due would make the film pass through itself, a part of it may not. The last try is to
     // slow down what touches and nothing else.
     surgery::TopologyOptions options = options_;
@@ -215,8 +212,10 @@ bool TopologyKeeper::look(Scene& scene, bool sound) {
     for (const auto& [changes, upkeep] :
          {std::pair(true, true), {true, false}, {false, true}, {false, false}}) {
       const Scene before = scene;
+      const surgery::TangleWatch watched = watch_;
       options.changes = changes;
-      options.upkeep = upkeep;
+      options.upkeep = upkeep && mends;
+      options.tidy = upkeep;
       Pass pass = apply(scene, options, contacts, sound);
       if (pass.changed && is_fit(film, pass.report, sound, labelled)) {
         count(pass);
@@ -224,11 +223,16 @@ bool TopologyKeeper::look(Scene& scene, bool sound) {
         break;
       }
       scene = before;
+      watch_ = watched;
       if (!pass.changed) break;
       ++counts_.refused;
     }
   }
   note_place(film);
+  if (!waits_) {
+    mended_ = seen_;
+    far_out_ = mends && surgery::is_far_out_of_band(film, options_);
+  }
   return changed;
 }
 
@@ -241,6 +245,34 @@ void TopologyKeeper::count(Pass& pass) {
   counts_.flips += report.mesh.flips;
   counts_.events += static_cast<long>(report.events.size());
   events_.insert(events_.end(), report.events.begin(), report.events.end());
+}
+
+// What holds vertices and the volumes. Of a film that is sound, what would pass through itself on the way
+// stays where it is, and more and more around it.
+bool TopologyKeeper::put_right(Scene& scene, bool sound) {
+  const Film& film = scene.film;
+  if (!scene.has_fixed_volume() || film.triangle_count() == 0) {
+    scene::constrain_vertices(scene);
+    return true;
+  }
+  const Scene before = scene;
+  std::vector<surgery::Tangle> held;
+  for (int rings = 0; rings < most_rings_held; ++rings) {
+    if (!(held.empty() ? restore_volumes(scene) : restore_elsewhere(scene, held))) return false;
+    if (!sound) return true;
+    const std::vector<surgery::Tangle> tangles = watch_.look(film);
+    if (tangles.empty()) return true;
+    for (const surgery::Tangle& tangle : tangles) held.push_back(surgery::grown(film, tangle, rings));
+    scene = before;
+  }
+  return false;
+}
+
+// Whether a film is no worse than it was: sound, and labelled soundly.
+bool TopologyKeeper::is_fit(const Film& film, const surgery::TopologyReport& report, bool sound,
+                            bool labelled) {
+  if (labelled && !report.events.empty() && !film::check_regions(film, 1).empty()) return false;
+  return !sound || watch_.look(film).empty();
 }
 
 // Surgery, and then everything that it leaves to be put right. Where nothing is changed the scene is to be
@@ -263,6 +295,7 @@ TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::Topology
   if (slowed) energy += balance(scene).kinetic - moving;
   pass.changed = slowed;
   if (!report.changed()) return pass;
+  watch_.before_compaction(film);
   Touched touched(scene, compact_with_flags(film, report.touched));
   if (!put_right(scene, sound)) {
     ++counts_.refused;

@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 #include "surgery/keep_topology.h"
 #include "surgery/proximity.h"
+#include "surgery/tangle_watch.h"
 
 namespace lamella::evolution {
 
@@ -32,13 +33,21 @@ class TopologyKeeper {
   bool begin(scene::Scene& scene);
   // Whether the film has moved so far since the last look that it is time for one; at the end of a motion
   // that is nearly any way.
-  bool is_due(std::span<const Vec3> positions, bool at_end) const;
+  bool is_due(std::span<const Vec3> positions, bool at_end);
+  // Where the film passes through itself, or has done since the last call; not for periodic films. A film
+  // that is sound, or goes back to where it was, is watched on from there.
+  std::vector<surgery::Tangle> tangles(const film::Film& film);
+  // The film goes on from somewhere else, or is not sound.
+  void forget_way() { watch_.forget(); }
   // A look at a compact film with the vertex columns "velocity" and "mass". Makes what is due: the mesh, the
   // topology, the regions; volumes are restored by positions alone, total mass and (where no vertex is
   // fixed) momentum stay exactly; energy lost or won by the mesh is given back to the velocities around.
-  // Of a film that is `sound`, nothing is changed that would make it pass through itself. Returns whether the
-  // film or its velocities changed; it is compact again.
-  bool look(scene::Scene& scene, bool sound);
+  // Of a film that is `sound`, nothing is changed that would make it pass through itself. What can wait does
+  // so until a vertex has moved by a quarter of its mesh's size, or to the end. Returns whether the film or
+  // its velocities changed; it is compact again.
+  bool look(scene::Scene& scene, bool sound, bool mend);
+  // Whether something may have waited at the last look.
+  bool waits() const { return waits_; }
 
   // The longest step that moves sheets that are near one another by no more than a part of the gap allowed,
   // and any vertex by no more than a part of its mesh's size.
@@ -57,13 +66,21 @@ class TopologyKeeper {
   Pass apply(scene::Scene& scene, const surgery::TopologyOptions& options,
              std::span<const surgery::Contact> contacts, bool sound);
   void count(Pass& pass);
+  bool is_mending_due(const film::Film& film) const;
   void note_place(const film::Film& film);
+  bool put_right(scene::Scene& scene, bool sound);
+  bool is_fit(const film::Film& film, const surgery::TopologyReport& report, bool sound, bool labelled);
   bool slow_down(scene::Scene& scene, std::span<const surgery::Contact> contacts);
 
   surgery::TopologyOptions options_;
   surgery::Proximity proximity_;
+  surgery::TangleWatch watch_;
   bool tight_ = false;  // sheets touch that cannot merge: looks are frequent then
   std::vector<Vec3> seen_;
+  std::vector<double> reaches_;  // how far vertices have been from there since
+  std::vector<Vec3> mended_;     // where the film was when all was mended that could be
+  bool waits_ = false;
+  bool far_out_ = false;  // and what could not is far out of its band: not tried again before it is time
   std::vector<double> sizes_;
   TopologyCounts counts_;
   std::vector<surgery::Event> events_;

@@ -110,8 +110,42 @@ bool shapes_cross(const FacetShape& a, const FacetShape& b) {
   return fold_flat(pa[shared[0].first], pa[shared[1].first], pa[third_a], pb[third_b]);
 }
 
+namespace {
+
+// Few facets are compared with all whose boxes meet the box of them all: no tree is worth making for them.
+constexpr std::size_t few = 32;
+
+std::vector<std::pair<Triangle, Triangle>> intersections_of_few(const Film& film,
+                                                                std::span<const Triangle> of,
+                                                                std::size_t most) {
+  std::vector<std::pair<Triangle, Triangle>> found;
+  std::vector<std::pair<Triangle, Box>> list;
+  for (const Triangle t : of) {
+    if (film.alive(t)) list.emplace_back(t, box_of_facet(film, t));
+  }
+  if (list.empty()) return found;
+  Box around = list[0].second;
+  for (const auto& [t, box] : list) around = joined(around, box);
+  const auto meet = [&](Triangle other) {
+    const Box box = box_of_facet(film, other);
+    if (!box.meets(around)) return;
+    const bool listed = std::find(of.begin(), of.end(), other) != of.end();
+    for (const auto& [t, own] : list) {
+      if (t == other || (listed && other < t) || found.size() >= most) continue;
+      if (own.meets(box) && facets_cross(film, t, other)) found.emplace_back(t, other);
+    }
+  };
+  for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
+    if (film.alive(Triangle(i))) meet(Triangle(i));
+  }
+  return found;
+}
+
+}  // namespace
+
 std::vector<std::pair<Triangle, Triangle>> self_intersections(const Film& film, std::span<const Triangle> of,
                                                               std::size_t most) {
+  if (of.size() <= few) return intersections_of_few(film, of, most);
   std::vector<std::pair<Triangle, Triangle>> found;
   const FacetTree tree(film);
   std::vector<std::uint8_t> listed(film.triangle_rows());

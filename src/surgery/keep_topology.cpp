@@ -24,8 +24,26 @@ namespace {
 
 constexpr int most_commits = 64;  // of a pass
 constexpr int most_merges = 4;
+constexpr std::size_t most_in_cluster = 12;
 constexpr int most_refusals = 6;
 constexpr int rounds_after_changes = 1;  // of the mesh
+constexpr double very_near = 0.1;        // in sizes: what is so near a cluster comes together with it
+constexpr double far_out = 1.5;          // of the band, in its bounds: this cannot wait
+
+// A cluster with what is joined to it by next to nothing: another corner of a film that has shrunk to a
+// point, which would leave a change of topology no room.
+std::vector<Vertex> whole_cluster(const Scene& scene, std::span<const Vertex> part, double size) {
+  std::vector<Vertex> cluster(part.begin(), part.end());
+  for (std::size_t i = 0; i < cluster.size() && cluster.size() <= most_in_cluster; ++i) {
+    scene.film.for_each_end(cluster[i], [&](film::EdgeEnd end) {
+      const Vertex v = scene.film.head(end.outward());
+      const bool near = length(scene.film.vector(end.outward())) < very_near * size;
+      if (near && is_free(scene, v) && std::find(cluster.begin(), cluster.end(), v) == cluster.end())
+        cluster.push_back(v);
+    });
+  }
+  return cluster;
+}
 
 // Free vertices where lines meet as they do in no film: an edge of more than three films, or ends of lines
 // whose link is illegal.
@@ -198,7 +216,8 @@ void Keeper::resolve(const std::vector<std::vector<Vertex>>& clusters) {
     }
     if (!std::all_of(cluster.begin(), cluster.end(), [&](Vertex v) { return film_.alive(v); })) continue;
     const double size = size_of(film_, cluster[0]);
-    if (const auto done = contract(scene_, cluster, {.size = size, .gain = options_.gain})) note(*done);
+    const std::vector<Vertex> whole = whole_cluster(scene_, cluster, size);
+    if (const auto done = contract(scene_, whole, {.size = size, .gain = options_.gain})) note(*done);
   }
   for (const Vertex v : places_to_pop(scene_)) odd_.push_back(v);
   pop_around();
@@ -229,18 +248,30 @@ void Keeper::finish() {
     if (film_.alive(v)) vertices.push_back(v);
   }
   settle_regions(scene_, report_.events, facets_at(film_, vertices));
-  if (options_.upkeep) add(remesh(scene_, once));
+  if (options_.upkeep || options_.tidy) add(remesh(scene_, once));
 }
 
 }  // namespace
 
 bool needs_look(const Scene& scene, const TopologyOptions& options) {
   const Film& film = scene.film;
-  if (needs_remesh(film, film.positions(), options.mesh)) return true;
+  return needs_remesh(film, film.positions(), options.mesh) || has_narrow_wedges(film, options) ||
+         has_small_parts(scene) || !places_to_pop(scene).empty();
+}
+
+bool has_narrow_wedges(const Film& film, const TopologyOptions& options) {
   for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
     if (narrowest_wedge(film, Edge(i)) < options.narrow_wedge) return true;
   }
-  return has_small_parts(scene) || !places_to_pop(scene).empty();
+  return false;
+}
+
+bool is_far_out_of_band(const Film& film, const TopologyOptions& options) {
+  RemeshOptions far = options.mesh;
+  far.longest *= far_out;
+  far.shortest /= far_out;
+  far.sliver /= far_out;
+  return needs_remesh(film, film.positions(), far);
 }
 
 TopologyReport keep_topology(Scene& scene, const TopologyOptions& options,

@@ -21,14 +21,14 @@ namespace {
 
 constexpr std::size_t most_met = 8;  // that one facet passes through
 
+}  // namespace
+
 bool is_out_of_order(const Film& film, Edge e) {
   if (film.valence(e) < 3) return false;
   std::vector<Vec3> directions;
   film.for_each_side(e, [&](Side s) { directions.push_back(across(film, s)); });
   return !turns_once(unit(film.vector(e)), directions, 0);
 }
-
-}  // namespace
 
 std::vector<Tangle> united(const Film& film, const std::vector<Tangle>& parts) {
   if (parts.empty()) return {};

@@ -12,6 +12,9 @@ namespace lamella::surgery {
 using Tangle = std::vector<film::Vertex>;
 std::vector<Tangle> tangles(const film::Film& film);
 
+// Whether the films around a border do not come in the order that the complex says.
+bool is_out_of_order(const film::Film& film, film::Edge e);
+
 // The vertices of a tangle and those so many edges away, each once.
 Tangle grown(const film::Film& film, const Tangle& tangle, int rings);
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "film/normals.h"
+#include "film/union_find.h"
 #include "surgery/contract.h"
 #include "surgery/patch.h"
 #include "surgery/sizing.h"
@@ -36,11 +37,6 @@ struct Part {
   double volume = 0;
 };
 
-double area_of(const Film& film, Triangle t) {
-  const auto p = film.points(t);
-  return 0.5 * length(cross(p[1] - p[0], p[2] - p[0]));
-}
-
 std::vector<Vertex> vertices_of(const Film& film, const std::vector<Triangle>& facets) {
   std::vector<Vertex> vertices;
   for (const Triangle t : facets)
@@ -68,25 +64,15 @@ bool is_within_reach(const Film& film, const std::vector<Vertex>& vertices, doub
                      [&](Vertex v) { return length(film.position(v) - middle) < reach * size; });
 }
 
-// Lists of facets by region, and by pieces that hang together; only those of few facets.
-class Parts {
- public:
-  explicit Parts(const Film& film) : film_(film) {}
-  std::vector<Part> regions(std::size_t bodies) const;
-  std::vector<Part> pieces() const;
-
- private:
-  const Film& film_;
-};
-
-std::vector<Part> Parts::regions(std::size_t bodies) const {
+// Facets by region; only those of few facets.
+std::vector<Part> parts_by_region(const Film& film, std::size_t bodies) {
   std::vector<Part> parts(bodies + 1);
   std::vector<Vec3> origin(bodies + 1);
-  for (std::uint32_t i = 0; i < film_.triangle_rows(); ++i) {
+  for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
     const Triangle t(i);
-    if (!film_.alive(t)) continue;
-    const RegionPair pair = film_.regions(t);
-    const auto p = film_.points(t);
+    if (!film.alive(t)) continue;
+    const RegionPair pair = film.regions(t);
+    const auto p = film.points(t);
     for (const auto& [region, sign] : {std::pair(pair.behind, 1.0), std::pair(pair.front, -1.0)}) {
       if (region.outside() || region.index > bodies || pair.front == pair.behind) continue;
       Part& part = parts[region.index];
@@ -101,23 +87,19 @@ std::vector<Part> Parts::regions(std::size_t bodies) const {
   return parts;
 }
 
-std::vector<Part> Parts::pieces() const {
-  std::vector<std::uint32_t> parent(film_.vertex_rows());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto find = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (std::uint32_t i = 0; i < film_.edge_rows(); ++i) {
+// Facets by pieces that hang together; only those of few facets.
+std::vector<Part> pieces(const Film& film) {
+  film::UnionFind sets(film.vertex_rows());
+  for (std::uint32_t i = 0; i < film.edge_rows(); ++i) {
     const film::Edge e(i);
-    if (film_.alive(e)) parent[find(film_.ends(e)[0].index)] = find(film_.ends(e)[1].index);
+    if (film.alive(e)) sets.join(film.ends(e)[0].index, film.ends(e)[1].index);
   }
-  std::vector<std::uint32_t> row(parent.size(), film::no_index);
+  std::vector<std::uint32_t> row(sets.size(), film::no_index);
   std::vector<Part> parts;
-  for (std::uint32_t i = 0; i < film_.triangle_rows(); ++i) {
+  for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
     const Triangle t(i);
-    if (!film_.alive(t)) continue;
-    std::uint32_t& at = row[find(film_.corners(t)[0].index)];
+    if (!film.alive(t)) continue;
+    std::uint32_t& at = row[sets.find(film.corners(t)[0].index)];
     if (at == film::no_index) {
       at = static_cast<std::uint32_t>(parts.size());
       parts.emplace_back();
@@ -134,7 +116,7 @@ bool is_small_piece(const Film& film, const Part& part) {
   for (const Triangle t : part.facets) {
     const RegionPair pair = film.regions(t);
     if (pair.front != pair.behind) return false;
-    area += area_of(film, t);
+    area += 0.5 * length(film::double_area_vector(film, t));
   }
   const std::vector<Vertex> vertices = vertices_of(film, part.facets);
   const double size = mean_size(film, vertices);
@@ -152,13 +134,12 @@ bool is_held(const Scene& scene, const std::vector<Vertex>& vertices) {
 }
 
 std::vector<Part> small_parts(const Scene& scene) {
-  const Parts all(scene.film);
-  std::vector<Part> found = all.regions(scene.bodies.size());
+  std::vector<Part> found = parts_by_region(scene.film, scene.bodies.size());
   std::erase_if(found, [&](const Part& p) {
     return !is_small_region(scene.film, p) || is_held(scene, vertices_of(scene.film, p.facets));
   });
   std::sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.volume < b.volume; });
-  for (Part& piece : all.pieces()) {
+  for (Part& piece : pieces(scene.film)) {
     if (is_small_piece(scene.film, piece) && !is_held(scene, vertices_of(scene.film, piece.facets)))
       found.push_back(std::move(piece));
   }
@@ -172,17 +153,17 @@ void take_out(Scene& scene, const Part& part, Vanished& done) {
   replace(scene.film, {part.facets, {}});
 }
 
-bool shrink_to_point(Scene& scene, const Part& part, Vanished& done) {
+void shrink_to_point(Scene& scene, const Part& part, Vanished& done) {
   const std::vector<Vertex> vertices = vertices_of(scene.film, part.facets);
   const Link link = link_of(scene.film, vertices);
   if (link.nodes.empty()) {
     take_out(scene, part, done);
-    return true;
+    return;
   }
   const ContractOptions options{
       .size = mean_size(scene.film, vertices), .gain = any_gain, .only = {}, .vanishes = part.region};
   const auto contraction = contract(scene, vertices, options);
-  if (!contraction) return false;
+  if (!contraction) return;
   Event event = contraction->event;
   event.kind = EventKind::vanish;
   event.regions.push_back(part.region);
@@ -192,7 +173,6 @@ bool shrink_to_point(Scene& scene, const Part& part, Vanished& done) {
     done.touched.push_back(v);
     scene.film.for_each_end(v, [&](EdgeEnd end) { done.touched.push_back(scene.film.head(end.outward())); });
   }
-  return true;
 }
 
 }  // namespace

@@ -1,0 +1,12 @@
+// On six_bubbles.fe: the bubbles of a foam burst one after the other, and what is left comes to rest each time
+// (Ishida et al. 2017, figure 5).
+topology on
+refine 3; relax
+damping := 4
+number := 6
+while number > 0 do {
+  burst body[number];
+  if facet_count > 0 then { evolve 300; check; print total_area; plateau };
+  number := number - 1
+}
+print facet_count

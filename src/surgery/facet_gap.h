@@ -1,0 +1,31 @@
+// How far two facets are from one another, and from meeting.
+#pragma once
+
+#include <array>
+
+#include "film/film.h"
+
+namespace lamella::surgery {
+
+using Corners = std::array<film::Vec3, 3>;
+
+// No more than the distance of two triangles, and cheaper: the largest gap between them along the line of
+// their middles, their normals and the axes. At most 0 where none of these separates them.
+double gap_at_least(const Corners& a, const Corners& b);
+
+// The distance of two triangles that do not pass through one another.
+double distance(const Corners& a, const Corners& b);
+
+// For two facets that have one corner in common: by how much the edges of each may change without leaving its
+// side of a plane through that corner. At most 0 where they are not on two sides of the plane tried.
+std::array<double, 2> room_at_corner(const film::Film& film, film::Triangle a, film::Triangle b);
+
+// For two that have an edge in common: the part of each one's altitude, times the angle between them.
+std::array<double, 2> room_at_edge(const film::Film& film, film::Triangle a, film::Triangle b, double part);
+
+// Whether two triangles meet while their corners move from one place to the other at constant speeds. They do
+// not cross at the start. Advances by what the distance allows; where it becomes next to nothing, or that
+// takes too long, they are said to meet.
+bool meet_on_the_way(const Corners& a_from, const Corners& a_to, const Corners& b_from, const Corners& b_to);
+
+}  // namespace lamella::surgery
