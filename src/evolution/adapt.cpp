@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "energy/triangle.h"
 #include "evolution/bulge.h"
 #include "film/normals.h"
 #include "film/order.h"
@@ -21,8 +20,7 @@ using film::Side;
 using film::Triangle;
 using film::Vec3;
 
-// A facet is refined if its error is more than this part of the worst (but for a few outliers): halving
-// brings the worst down to a sixteenth.
+// A facet is refined if its error is more than this part of the worst (but for a few outliers).
 constexpr double worth_it = 0.35;
 constexpr double outliers = 0.02;
 // Errors cancel where their sum is less than this part of the sum of their sizes.
@@ -145,10 +143,13 @@ std::vector<FacetError> facet_errors(const scene::Scene& scene) {
   return errors;
 }
 
-double energy_error(const scene::Scene& scene) {
-  double sum = 0;
-  for (const FacetError& error : facet_errors(scene)) sum += error.inside + error.rim;
-  return sum;
+ErrorSums sum_errors(std::span<const FacetError> errors) {
+  ErrorSums sums;
+  for (const FacetError& error : errors) {
+    sums.whole += error.inside + error.rim;
+    sums.sizes += error.size();
+  }
+  return sums;
 }
 
 namespace {
@@ -172,13 +173,8 @@ std::vector<std::uint8_t> worst_edges(const Film& film, std::span<const FacetErr
 
 // Whether errors of opposite signs cancel each other for a good part.
 bool make_up(std::span<const FacetError> errors) {
-  double whole = 0;
-  double sizes = 0;
-  for (const FacetError& error : errors) {
-    whole += error.inside + error.rim;
-    sizes += error.size();
-  }
-  return std::abs(whole) < mostly_alike * sizes;
+  const ErrorSums sums = sum_errors(errors);
+  return std::abs(sums.whole) < mostly_alike * sums.sizes;
 }
 
 // The error left after halving times the number of facets then, which is what uniform refinement keeps. Where

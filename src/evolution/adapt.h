@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -22,9 +23,12 @@ struct FacetError {
 // One a row of facets.
 std::vector<FacetError> facet_errors(const scene::Scene& scene);
 
-// Their sum: what the energy of this mesh has too much. Near the truth at an equilibrium that the mesh
-// resolves.
-double energy_error(const scene::Scene& scene);
+struct ErrorSums {
+  double whole =
+      0;  // what the energy of this mesh has too much: near the truth at an equilibrium that it resolves
+  double sizes = 0;  // without that errors cancel
+};
+ErrorSums sum_errors(std::span<const FacetError> errors);
 
 // Halves every edge; new vertices on a curve are put on it.
 void refine_everywhere(scene::Scene& scene);

@@ -100,16 +100,11 @@ bool regular(const std::vector<Level>& levels) {
 // Levels that were refined in part do not follow a rule, and what the mesh itself tells stands in for them.
 // Curves and corners that it does not resolve hide from that, so the estimate is the worse one.
 void mend(Extrapolation& extrapolation, const scene::Scene& scene, const std::vector<Level>& levels) {
-  double whole = 0;
-  double sizes = 0;
-  for (const FacetError& error : facet_errors(scene)) {
-    whole += error.inside + error.rim;
-    sizes += error.size();
-  }
+  const ErrorSums errors = sum_errors(facet_errors(scene));
   const double last = levels.back().energy;
-  if (!regular(levels)) extrapolation.energy = last - whole;
+  if (!regular(levels)) extrapolation.energy = last - errors.whole;
   extrapolation.estimate =
-      std::max(extrapolation.estimate, (std::abs(whole) + doubt * sizes) / std::abs(last));
+      std::max(extrapolation.estimate, (std::abs(errors.whole) + doubt * errors.sizes) / std::abs(last));
 }
 
 }  // namespace

@@ -96,8 +96,8 @@ void area_and_volumes(benchmark::State& state) {
 }
 BENCHMARK(area_and_volumes)->Apply(sizes);
 
-void relax_step_descent(benchmark::State& state) {
-  Scene scene = double_bubble(state.range(0));
+// One step of descent with a line search.
+void descend(benchmark::State& state, Scene scene) {
   solve::Problem problem(scene);
   solve::Descent descent(problem);
   double scale = 0;
@@ -105,16 +105,14 @@ void relax_step_descent(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(descent.step(x, scale, false, HUGE_VAL).energy);
   per_facet(state, scene);
 }
+
+void relax_step_descent(benchmark::State& state) {
+  descend(state, double_bubble(state.range(0)));
+}
 BENCHMARK(relax_step_descent)->Apply(sizes);
 
 void relax_step_descent_no_bodies(benchmark::State& state) {
-  Scene scene = without_bodies(double_bubble(state.range(0)));
-  solve::Problem problem(scene);
-  solve::Descent descent(problem);
-  double scale = 0;
-  const std::span<Vec3> x = scene.film.edit_positions();
-  for (auto _ : state) benchmark::DoNotOptimize(descent.step(x, scale, false, HUGE_VAL).energy);
-  per_facet(state, scene);
+  descend(state, without_bodies(double_bubble(state.range(0))));
 }
 BENCHMARK(relax_step_descent_no_bodies)->Apply(sizes);
 
@@ -127,12 +125,7 @@ void relax_step_descent_constrained(benchmark::State& state) {
   wall.formula = language::parse_formula(tokens, language::FormulaKind::space, scene.variables, {});
   wall.sense = scene::Sense::nonnegative;
   wall.global = true;
-  solve::Problem problem(scene);
-  solve::Descent descent(problem);
-  double scale = 0;
-  const std::span<Vec3> x = scene.film.edit_positions();
-  for (auto _ : state) benchmark::DoNotOptimize(descent.step(x, scale, false, HUGE_VAL).energy);
-  per_facet(state, scene);
+  descend(state, std::move(scene));
 }
 BENCHMARK(relax_step_descent_constrained)->Apply(sizes);
 

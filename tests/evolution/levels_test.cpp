@@ -54,7 +54,7 @@ TEST(EnergyError, IsTheSpheresError) {
     scene::Monitor monitor;
     Scene copy = scene;
     const double error = relax(copy, {}, monitor).energy - sphere;
-    EXPECT_NEAR(energy_error(scene) / error, 1, 0.05) << level;
+    EXPECT_NEAR(sum_errors(facet_errors(scene)).whole / error, 1, 0.05) << level;
   }
 }
 
