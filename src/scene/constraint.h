@@ -28,7 +28,6 @@ struct LevelSet {
   bool nonwall = false;  // popping takes no notice of it
   std::optional<EdgeIntegrand> energy;
   std::optional<EdgeIntegrand> content;
-  double content_rank = 0;
 };
 
 // BOUNDARY in a datafile: a curve (one parameter) or a surface (two) that vertices ride on by their
