@@ -15,10 +15,10 @@ chart() {  # datafile, levels, exact energy or nothing
   "$lamella" "$1" -e "chart \"$here/chart_$name.png\" levels=$2 ${3:+exact=$3} limit=${limit:-10}"
 }
 
-chart "$files/cube.fe" 5 4.835975862049
-chart "$files/double_bubble.fe" 4 9.139421678069
-chart "$files/wire_cube.fe" 5 4.23956311
-chart "$files/catenoid.fe" 4 7.6049687
-chart "$files/weaire_phelan.fe" 3 21.153356
+chart "$files/cube.fe" 8 4.835975862049
+chart "$files/double_bubble.fe" 7 9.139421678069
+chart "$files/wire_cube.fe" 7 4.23956311
+chart "$files/catenoid.fe" 7 7.6049687
+chart "$files/weaire_phelan.fe" 6 21.153356
 sh "$files/lattice.sh" 5 > "$work/lattice_125.fe"
-chart "$work/lattice_125.fe" 3 ""
+chart "$work/lattice_125.fe" 5 ""
