@@ -52,8 +52,18 @@ Graph graph_of(const LowerMatrix& pattern, std::size_t rows) {
 // The plane where coordinate `axis` is `at`.
 struct Cut {
   int axis = 0;
-  double at = 0;
+  double low = 0;  // planes stand at low + i/scale
+  double scale = 0;
+  int plane = 0;
   double cost = HUGE_VAL;
+
+  // The last plane at or below a place. Rounding decides where places are all but the same, and what is no
+  // place lies below all planes.
+  int plane_of(double x) const {
+    const double at = (x - low) * scale;
+    return at > 0 ? static_cast<int>(std::min(at, planes - 1.0)) : 0;
+  }
+  bool is_below(double x) const { return plane_of(x) < plane; }
 };
 
 class Dissector {
@@ -166,23 +176,22 @@ Cut Dissector::best_cut(std::span<const int> rows, int axis) const {
     low = std::min(low, at(row));
     high = std::max(high, at(row));
   }
-  if (!(high > low)) return {};
   const double scale = planes / (high - low);
-  const auto plane = [&](double x) { return std::min(planes - 1, static_cast<int>((x - low) * scale)); };
+  if (!(high > low) || !std::isfinite(scale)) return {};
+  Cut best{axis, low, scale};
   std::array<int, planes + 1> below{};
   std::array<int, planes + 1> seam{};
   for (const int row : rows) {
-    const int own = plane(at(row));
+    const int own = best.plane_of(at(row));
     int farthest = own;
     for_each_tie(row, side_[static_cast<std::size_t>(row)], [&](int other) {
-      farthest = std::max(farthest, plane(at(other)));
+      farthest = std::max(farthest, best.plane_of(at(other)));
       return false;
     });
     ++below[static_cast<std::size_t>(own) + 1];
     ++seam[static_cast<std::size_t>(own) + 1];
     --seam[static_cast<std::size_t>(farthest) + 1];
   }
-  Cut best;
   const auto whole = static_cast<double>(rows.size());
   for (std::size_t i = 1; i < planes; ++i) {
     below[i] += below[i - 1];
@@ -190,7 +199,9 @@ Cut Dissector::best_cut(std::span<const int> rows, int axis) const {
     const double part = below[i] / whole;
     if (part < least_part || part > 1 - least_part) continue;
     const double cost = seam[i] * (1 + lopsided * (2 * part - 1) * (2 * part - 1));
-    if (cost < best.cost) best = {axis, low + static_cast<double>(i) / scale, cost};
+    if (!(cost < best.cost)) continue;
+    best.plane = static_cast<int>(i);
+    best.cost = cost;
   }
   return best;
 }
@@ -205,7 +216,7 @@ int Dissector::part(std::span<int> rows) {
   }
   if (cut.cost == HUGE_VAL) return seal(rows);
   const auto parted = std::partition(rows.begin(), rows.end(), [&](int row) {
-    return places_[static_cast<std::size_t>(row)][cut.axis] < cut.at;
+    return cut.is_below(places_[static_cast<std::size_t>(row)][cut.axis]);
   });
   const int low = next_side_++;
   const int high = next_side_++;

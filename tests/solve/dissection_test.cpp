@@ -41,6 +41,15 @@ Grid grid(int n, const std::vector<std::pair<int, int>>& multipliers = {}) {
   return result;
 }
 
+// Places that only rounding tells apart are parted all the same, or not at all: the search ends.
+TEST(Dissection, EndsWherePlacesAreAllButTheSame) {
+  Grid g = grid(60);
+  for (film::Vec3& place : g.places)
+    place = {place.x < 30 ? 0.5 : 0.5 + 1.2e-16, place.y < 20 ? 0.0 : 1e-310, 0};
+  const Dissection found = dissection(g.matrix, g.places, 200);
+  EXPECT_EQ(found.piece.size(), g.places.size());
+}
+
 // The tree is told by the numbers alone: rows of two pieces that are tied must be one above the other, so
 // removing the last piece must leave parts without ties.
 TEST(Dissection, TheLastSeamPartsTheRest) {
