@@ -21,4 +21,4 @@ chart "$files/wire_cube.fe" 7 4.23956311
 chart "$files/catenoid.fe" 7 7.6049687
 chart "$files/weaire_phelan.fe" 6 21.153356
 sh "$files/lattice.sh" 5 > "$work/lattice_125.fe"
-chart "$work/lattice_125.fe" 5 ""
+chart "$work/lattice_125.fe" 4 ""
