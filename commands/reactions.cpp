@@ -24,7 +24,12 @@ void print_row(Session& session, std::string_view name, std::uint32_t vertices, 
 }
 
 void run(Session& session) {
-  const std::vector<solve::Reaction> reactions = solve::reactions(session.scene());
+  const auto found = solve::reactions(session.scene());
+  if (!found) {
+    throw text::Error("the forces on the film are not finite, or its volumes depend on one another",
+                      "look for degenerate facets: list facets where area < 1e-12");
+  }
+  const std::vector<solve::Reaction>& reactions = *found;
   if (reactions.empty()) {
     session.print("nothing holds the film\n");
     return;

@@ -266,6 +266,23 @@ void settle_vertices(Scene& scene, std::uint32_t first) {
   }
 }
 
+bool constrain_vertex(Scene& scene, Vertex v, bool keep_parameters, double tolerance) {
+  Vec3 point = scene.film.position(v);
+  const auto boundary = scene.boundaries.find(boundary_of(scene, ElementKind::vertex, v.index));
+  if (boundary != scene.boundaries.end()) {
+    std::array<double, 3> parameters = boundary_parameters(scene, v);
+    const bool found = keep_parameters || nearest_parameters(scene, boundary->second, point, parameters);
+    set_boundary_parameters(scene, v, parameters);
+    scene.film.move(v, boundary_position(scene, boundary->second, parameters));
+    return found;
+  }
+  const std::vector<int> numbers = constraints_of(scene, ElementKind::vertex, v.index);
+  if (numbers.empty()) return true;
+  const bool found = project_to_level_sets(scene, numbers, v.index, point, tolerance);
+  scene.film.move(v, point);
+  return found;
+}
+
 bool constrain_vertices(Scene& scene) {
   if (scene.boundaries.empty() && scene.level_sets.empty()) return true;
   bind_formulas(scene);
@@ -275,20 +292,9 @@ bool constrain_vertices(Scene& scene) {
     const Vertex v(row);
     if (!scene.film.alive(v)) continue;
     const bool stays = !fixed.empty() && fixed[row] != 0;
-    const auto boundary = scene.boundaries.find(boundary_of(scene, ElementKind::vertex, row));
-    if (boundary != scene.boundaries.end()) {
-      std::array<double, 3> parameters = boundary_parameters(scene, v);
-      if (!stays)
-        all = nearest_parameters(scene, boundary->second, scene.film.position(v), parameters) && all;
-      set_boundary_parameters(scene, v, parameters);
-      scene.film.move(v, boundary_position(scene, boundary->second, parameters));
-      continue;
-    }
-    const std::vector<int> numbers = constraints_of(scene, ElementKind::vertex, row);
-    Vec3 point = scene.film.position(v);
-    if (numbers.empty() || stays) continue;
-    all = project_to_level_sets(scene, numbers, row, point) && all;
-    scene.film.move(v, point);
+    const bool rides = scene.boundaries.contains(boundary_of(scene, ElementKind::vertex, row));
+    if (stays && !rides) continue;
+    all = constrain_vertex(scene, v, stays) && all;
   }
   return all;
 }

@@ -48,6 +48,10 @@ double approach_parameters(const Scene& scene, const Boundary& boundary, const f
 bool nearest_parameters(const Scene& scene, const Boundary& boundary, const film::Vec3& target,
                         std::array<double, 3>& parameters);
 
+// Puts a vertex on its boundary (where its parameters are, or those of the point nearest to it) or else on
+// its constraints, whose formulas must be bound. False if that does not converge.
+bool constrain_vertex(Scene& scene, film::Vertex v, bool keep_parameters, double tolerance = 0);
+
 // The part of a vector that up to three others span, as multiples of them (by least squares; 0 for one that
 // depends on the others).
 std::array<double, 3> shares(std::span<const film::Vec3> vectors, const film::Vec3& vector);

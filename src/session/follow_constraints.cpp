@@ -15,25 +15,6 @@ bool holds_nothing(const scene::Scene& scene) {
   return scene.level_sets.empty() && scene.boundaries.empty();
 }
 
-// A fixed vertex keeps its parameters on a boundary.
-bool follow(scene::Scene& scene, film::Vertex v, bool fixed) {
-  film::Vec3 point = scene.film.position(v);
-  const int number = scene::boundary_of(scene, film::ElementKind::vertex, v.index);
-  bool arrived = true;
-  if (const auto boundary = scene.boundaries.find(number); boundary != scene.boundaries.end()) {
-    std::array<double, 3> parameters = scene::boundary_parameters(scene, v);
-    if (!fixed) arrived = scene::nearest_parameters(scene, boundary->second, point, parameters);
-    scene::set_boundary_parameters(scene, v, parameters);
-    point = scene::boundary_position(scene, boundary->second, parameters);
-  } else {
-    const std::vector<int> numbers = scene::constraints_of(scene, film::ElementKind::vertex, v.index);
-    if (numbers.empty()) return true;
-    arrived = scene::project_to_level_sets(scene, numbers, v.index, point, scene.constraint_tolerance);
-  }
-  if (arrived) scene.film.move(v, point);
-  return arrived;
-}
-
 }  // namespace
 
 void follow_constraints(scene::Scene& scene, std::span<const std::uint32_t> vertices) {
@@ -41,8 +22,9 @@ void follow_constraints(scene::Scene& scene, std::span<const std::uint32_t> vert
   scene::bind_formulas(scene);
   const auto fixed = scene.film.columns(film::ElementKind::vertex).flags("fixed");
   for (const std::uint32_t row : vertices) {
-    if (!scene.film.alive(film::Vertex(row)) ||
-        follow(scene, film::Vertex(row), !fixed.empty() && fixed[row] != 0))
+    const film::Vertex v(row);
+    const bool stays = !fixed.empty() && fixed[row] != 0;  // on a boundary it keeps its parameters
+    if (!scene.film.alive(v) || scene::constrain_vertex(scene, v, stays, scene.constraint_tolerance))
       continue;
     throw text::Error("some vertices cannot be put onto their constraints",
                       "constraints that contradict one another, or formulas without a value there");

@@ -148,13 +148,17 @@ double Problem::linearise(std::span<const Vec3> x, bool& ok) {
   for (std::size_t v = 0; v < gradient_.size(); ++v) gradient_[v] = lines[v].gradient;
   ok = find_pressures();
   if (!ok || !energy_.constraints().touched()) return energy;
-  // One-sided constraints that the force pulls away from let go; pressures follow.
+  let_go(x);
+  ok = find_pressures();
+  return energy;
+}
+
+// One-sided constraints that the force, by the present pressures, pulls away from; pressures are to follow.
+void Problem::let_go(std::span<const Vec3> x) {
   force_.resize(x.size());
   energy_.volume_gradient().set_multipliers(pressures_);
   for (std::size_t v = 0; v < force_.size(); ++v) force_[v] = force(v);
   energy_.renew_constraints(x, force_);
-  ok = find_pressures();
-  return energy;
 }
 
 bool Problem::find_pressures() {
@@ -197,11 +201,8 @@ double Problem::descent_direction(std::span<Vec3> direction) {
 
 bool Problem::force_at(std::span<const Vec3> x, std::span<Vec3> field) {
   const bool ok = std::isfinite(energy_.gradient(x));
+  if (energy_.constraints().touched()) let_go(x);
   energy_.volume_gradient().set_multipliers(pressures_);
-  if (energy_.constraints().touched()) {
-    for (std::size_t v = 0; v < field.size(); ++v) field[v] = force(v);
-    energy_.renew_constraints(x, field);
-  }
   for (std::size_t v = 0; v < field.size(); ++v) field[v] = weights_[v] * force(v);
   energy_.constraints().restrict(field);
   return ok;

@@ -109,6 +109,7 @@ class Problem {
   bool factorise();
   bool factorise_parameters();
   bool find_pressures();
+  void let_go(std::span<const Vec3> x);
   void solve_gram(std::span<const double> right, std::span<double> result) const;
   void move_parameters();
   void volume_errors(std::span<double> errors) const;

@@ -29,14 +29,14 @@ film::UnionFind wires(const film::Film& film, const Problem& problem) {
 
 }  // namespace
 
-std::vector<Reaction> reactions(const scene::Scene& scene) {
+std::optional<std::vector<Reaction>> reactions(const scene::Scene& scene) {
   const film::Film& film = scene.film;
   Problem problem(scene);
   bool ok = false;
   problem.linearise(film.positions(), ok);
   std::vector<film::Vec3> free(film.vertex_rows());
-  if (ok) problem.descent_direction(free);
-  if (!ok) return {};
+  if (!ok) return std::nullopt;
+  problem.descent_direction(free);
   film::UnionFind wire = wires(film, problem);
   std::map<Key, Reaction> found;
   for (std::uint32_t v = 0; v < film.vertex_rows(); ++v) {

@@ -1,6 +1,7 @@
 // What a film pulls on: wires, boundaries and constraints.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -20,8 +21,8 @@ struct Reaction {
 // The film's forces on what holds it, pressures and other multipliers being such as leave the smallest forces
 // elsewhere: boundaries and constraints by their numbers, then wires by their vertices. A fixed vertex on a
 // boundary counts with that; other fixed vertices make up wires, as far as edges between them reach. Vertices
-// that slide count with the part of the force that they do not give way to. Empty if the forces are not
+// that slide count with the part of the force that they do not give way to. Nothing if the forces are not
 // finite.
-std::vector<Reaction> reactions(const scene::Scene& scene);
+std::optional<std::vector<Reaction>> reactions(const scene::Scene& scene);
 
 }  // namespace lamella::solve
