@@ -87,6 +87,7 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
   const film::Connectivity& complex = scene_.film.connectivity();
   input_.triangles = unfolding_.empty() ? complex.triangle_vertices : unfolding_.triangles();
   input_.regions = complex.triangle_regions;
+  plan_ = SweepPlan(input_.triangles, volumes_.size());
   input_.tension = scene_.film.columns(ElementKind::facet).reals("tension");
   input_.has_regions = labelled(input_.regions);
   if (input_.has_regions) rims_ = open_rims(scene.film);
@@ -199,6 +200,7 @@ void FilmEnergy::collect_tense_edges(const scene::Scene& scene) {
 void FilmEnergy::start(std::span<const Vec3> positions) {
   assert(positions.size() == vertex_count_);
   input_.positions = unfolding_.empty() ? positions : unfolding_.extend(positions, extended_);
+  input_.plan = &plan_;
   input_.origin = positions.empty() ? Vec3{} : positions[0];
 }
 

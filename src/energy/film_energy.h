@@ -120,6 +120,7 @@ class FilmEnergy {
   double tense_length() const;
 
   scene::Scene scene_;  // its film shares the arrays that input_ points into, its formulas are bound
+  SweepPlan plan_;
   SweepInput input_;
   std::size_t vertex_count_ = 0;
   film::Unfolding unfolding_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "energy/lanes.h"
+#include "film/blocks.h"
 
 namespace lamella::energy {
 
@@ -43,12 +44,15 @@ Batch last_batch(const SweepInput& input, std::size_t first) {
   return batch;
 }
 
+using Ranges = std::span<const SweepPlan::Range>;
+
 template <class Function>
-void for_each_batch(const SweepInput& input, Function&& function) {
-  const std::size_t total = input.triangles.size();
-  std::size_t first = 0;
-  for (; first + lanes <= total; first += lanes) function(full_batch(input, first));
-  if (first < total) function(last_batch(input, first));
+void for_each_batch(const SweepInput& input, Ranges ranges, Function&& function) {
+  for (const SweepPlan::Range& range : ranges) {
+    std::size_t first = range.first;
+    for (; first + lanes <= range.last; first += lanes) function(full_batch(input, first));
+    if (first < range.last) function(last_batch(input, first));
+  }
 }
 
 Lane3 gather(const SweepInput& input, const Batch& batch, std::size_t corner) {
@@ -127,11 +131,12 @@ void scatter(const Batch& batch, std::size_t corner, const std::array<Lane, 4>& 
 }
 
 template <bool with_regions>
-SweepSums gradient_pass(const SweepInput& input, std::span<double> volumes, std::span<VertexLine> lines) {
+SweepSums gradient_pass(const SweepInput& input, Ranges ranges, std::span<double> volumes,
+                        std::span<VertexLine> lines) {
   Lane energy{};
   Lane area_sum{};
   VolumeSum volume(volumes);
-  for_each_batch(input, [&](const Batch& batch) {
+  for_each_batch(input, ranges, [&](const Batch& batch) {
     const Lane3 a = gather(input, batch, 0);
     const Lane3 b = gather(input, batch, 1);
     const Lane3 c = gather(input, batch, 2);
@@ -166,11 +171,11 @@ SweepSums gradient_pass(const SweepInput& input, std::span<double> volumes, std:
 }
 
 template <bool with_regions>
-SweepSums energy_pass(const SweepInput& input, std::span<double> volumes) {
+SweepSums energy_pass(const SweepInput& input, Ranges ranges, std::span<double> volumes) {
   Lane energy{};
   Lane area_sum{};
   VolumeSum volume(volumes);
-  for_each_batch(input, [&](const Batch& batch) {
+  for_each_batch(input, ranges, [&](const Batch& batch) {
     const Lane3 a = gather(input, batch, 0);
     const Lane3 normal = cross(gather(input, batch, 1) - a, gather(input, batch, 2) - a);
     const Lane area = 0.5 * square_root(dot(normal, normal));
@@ -179,6 +184,30 @@ SweepSums energy_pass(const SweepInput& input, std::span<double> volumes) {
     if constexpr (with_regions) volume.add(batch, dot(normal, relative(a, input.origin)));
   });
   return {sum(energy), sum(area_sum)};
+}
+
+// Calls pass(ranges, volumes) for each part of a plan, and at last for what lies between them.
+template <class Pass>
+SweepSums share_out(SweepPlan& plan, std::span<double> volumes, const Pass& pass) {
+  const std::size_t parts = plan.size();
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < parts; ++i) plan.sums(i) = pass(plan.inside(i), plan.volumes(i));
+  plan.sums(parts) = pass(plan.between(), plan.volumes(parts));
+  SweepSums whole;
+  std::fill(volumes.begin(), volumes.end(), 0.0);
+  for (std::size_t i = 0; i <= parts; ++i) {
+    whole.energy += plan.sums(i).energy;
+    whole.area += plan.sums(i).area;
+    for (std::size_t r = 0; r < volumes.size(); ++r) volumes[r] += plan.volumes(i)[r];
+  }
+  return whole;
+}
+
+template <class Pass>
+SweepSums sweep(const SweepInput& input, std::span<double> volumes, const Pass& pass) {
+  if (input.plan != nullptr && !input.plan->empty()) return share_out(*input.plan, volumes, pass);
+  const SweepPlan::Range all{0, static_cast<std::uint32_t>(input.triangles.size())};
+  return pass(Ranges(&all, 1), volumes);
 }
 
 }  // namespace
@@ -192,13 +221,20 @@ double stiffness_bound(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 SweepSums sweep_energy(const SweepInput& input, std::span<double> volumes) {
-  return input.has_regions ? energy_pass<true>(input, volumes) : energy_pass<false>(input, volumes);
+  return sweep(input, volumes, [&](Ranges ranges, std::span<double> sums) {
+    return input.has_regions ? energy_pass<true>(input, ranges, sums)
+                             : energy_pass<false>(input, ranges, sums);
+  });
 }
 
 SweepSums sweep_gradient(const SweepInput& input, std::span<double> volumes, std::span<VertexLine> lines) {
-  std::fill(lines.begin(), lines.end(), VertexLine{});
-  return input.has_regions ? gradient_pass<true>(input, volumes, lines)
-                           : gradient_pass<false>(input, volumes, lines);
+  film::for_each_block(lines.size(), [&](std::size_t first, std::size_t last) {
+    std::fill(lines.data() + first, lines.data() + last, VertexLine{});
+  });
+  return sweep(input, volumes, [&](Ranges ranges, std::span<double> sums) {
+    return input.has_regions ? gradient_pass<true>(input, ranges, sums, lines)
+                             : gradient_pass<false>(input, ranges, sums, lines);
+  });
 }
 
 }  // namespace lamella::energy

@@ -7,7 +7,7 @@ namespace lamella::film {
 
 namespace {
 
-constexpr std::uint32_t facets_in_cache = 100000;
+constexpr std::uint32_t fewest_facets = 16384;
 
 // Vertices in the order in which a walk along the edges, nearest first, meets them; piece after piece.
 std::vector<std::uint32_t> breadth_first(const Film& film) {
@@ -58,7 +58,7 @@ void restore_spatial_order(Film& film) {
 }
 
 void restore_spatial_order_if_large(Film& film) {
-  if (film.triangle_count() < facets_in_cache) return;
+  if (film.triangle_count() < fewest_facets) return;
   // Neighbouring rows of a well ordered surface lie within a few of its widths.
   if (mean_row_distance(film) > 4 * std::sqrt(static_cast<double>(film.vertex_count())))
     restore_spatial_order(film);

@@ -11,10 +11,10 @@ namespace lamella::film {
 //
 // On a film of 1.5 million facets, refined eight times, the gradient sweep then costs 12.5 instead of 33 ns a
 // facet (a Hilbert curve through the vertices gives 14 at best). Below about 100k facets everything is in
-// cache and order does not matter.
+// cache and order matters only to threads, which share out a film as its rows lie (energy/sweep.h).
 void restore_spatial_order(Film& film);
 
-// The same where it pays: for a film too large for the cache whose rows are scattered.
+// The same where it pays: for a film large enough for threads whose rows are scattered.
 void restore_spatial_order_if_large(Film& film);
 
 // The mean distance in rows between the corners of a triangle: a measure of how scattered a film is.

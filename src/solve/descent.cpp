@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "film/blocks.h"
+
 namespace lamella::solve {
 
 namespace {
@@ -33,15 +35,21 @@ Descent::Descent(Problem& problem, DescentRule rule)
 // Adds what is left of the last direction to the force, of the given square, and leaves the sum as the new
 // direction. Returns minus the slope along it.
 double Descent::conjugate(double squared) {
-  double change = 0;
-  for (std::size_t v = 0; v < force_.size(); ++v) change += dot(force_[v], force_[v] - last_force_[v]);
+  const double change = film::sum_of_blocks(force_.size(), [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t v = first; v < last; ++v) sum += dot(force_[v], force_[v] - last_force_[v]);
+    return sum;
+  });
   const double beta = last_squared_ > 0 ? std::max(0.0, change / last_squared_) : 0;
   problem_.project(direction_);
-  double slope = 0;
-  for (std::size_t v = 0; v < force_.size(); ++v) {
-    direction_[v] = force_[v] + beta * direction_[v];
-    slope += dot(force_[v], direction_[v]);
-  }
+  double slope = film::sum_of_blocks(force_.size(), [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t v = first; v < last; ++v) {
+      direction_[v] = force_[v] + beta * direction_[v];
+      sum += dot(force_[v], direction_[v]);
+    }
+    return sum;
+  });
   if (!(slope > 0)) {
     direction_ = force_;
     slope = squared;
@@ -53,7 +61,9 @@ double Descent::conjugate(double squared) {
 
 // Moves along the direction and restores volumes about as well as Surface Evolver does. Returns the energy.
 double Descent::move(std::span<Vec3> x, double scale) const {
-  for (std::size_t v = 0; v < from_.size(); ++v) x[v] = from_[v] + scale * direction_[v];
+  film::for_each_block(from_.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) x[v] = from_[v] + scale * direction_[v];
+  });
   if (!parameters_from_.empty()) problem_.set_parameters(parameters_from_, scale, parameter_way_);
   return problem_.restore_roughly(x, volume_tolerance);
 }
@@ -64,7 +74,9 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
   if (!ok)
     return {std::isfinite(energy) ? Ending::volume_lost : Ending::not_finite, energy,
             problem_.energy().area()};
-  std::copy(x.begin(), x.end(), from_.begin());
+  film::for_each_block(x.size(), [&](std::size_t first, std::size_t last) {
+    std::copy(x.data() + first, x.data() + last, from_.data() + first);
+  });
   const bool steepest = rule_ == DescentRule::steepest;
   const double steep = problem_.descent_direction(steepest ? direction_ : force_);
   const double squared = steepest ? steep : conjugate(steep);
@@ -72,7 +84,10 @@ DescentStep Descent::step(std::span<Vec3> x, double& scale, bool fixed, double l
   parameter_way_.assign(problem_.parameter_direction().begin(), problem_.parameter_direction().end());
   if (!std::isfinite(squared)) return {Ending::not_finite, energy, problem_.energy().area()};
   if (fixed) return finish(x, move(x, scale), scale, squared);
-  const double start = move(x, 0);
+  // Projections onto constraints leave their own rounding at every place: energies are compared after one.
+  const double start = problem_.energy().constraints().empty() && parameters_from_.empty()
+                           ? problem_.restore_roughly(x, volume_tolerance, energy)
+                           : move(x, 0);
   scale = std::clamp(scale, least_scale, std::max(limit, least_scale));
   std::optional<double> reached;
   if (squared != 0) reached = search(x, start, scale, limit);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "film/blocks.h"
+
 namespace lamella::solve {
 
 namespace {
@@ -145,7 +147,9 @@ double Problem::linearise(std::span<const Vec3> x, bool& ok) {
   ok = std::isfinite(energy);
   if (!ok) return energy;
   const std::span<const energy::VertexLine> lines = energy_.lines();
-  for (std::size_t v = 0; v < gradient_.size(); ++v) gradient_[v] = lines[v].gradient;
+  film::for_each_block(gradient_.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) gradient_[v] = lines[v].gradient;
+  });
   ok = find_pressures();
   if (!ok || !energy_.constraints().touched()) return energy;
   let_go(x);
@@ -157,7 +161,9 @@ double Problem::linearise(std::span<const Vec3> x, bool& ok) {
 void Problem::let_go(std::span<const Vec3> x) {
   force_.resize(x.size());
   energy_.volume_gradient().set_multipliers(pressures_);
-  for (std::size_t v = 0; v < force_.size(); ++v) force_[v] = force(v);
+  film::for_each_block(force_.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) force_[v] = force(v);
+  });
   energy_.renew_constraints(x, force_);
 }
 
@@ -182,13 +188,16 @@ double Problem::descent_direction(std::span<Vec3> direction) {
   energy::VolumeGradient& volume = energy_.volume_gradient();
   volume.set_multipliers(pressures_);
   const energy::VertexConstraints& constraints = energy_.constraints();
-  double squared = 0;
-  for (std::size_t v = 0; v < direction.size(); ++v) {
-    Vec3 force = targets_.empty() ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
-    if (!constraints.empty()) force = constraints.restricted(static_cast<std::uint32_t>(v), force);
-    direction[v] = weights_[v] * force;
-    squared += squared_length(direction[v]);
-  }
+  double squared = film::sum_of_blocks(direction.size(), [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t v = first; v < last; ++v) {
+      Vec3 force = targets_.empty() ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
+      if (!constraints.empty()) force = constraints.restricted(static_cast<std::uint32_t>(v), force);
+      direction[v] = weights_[v] * force;
+      sum += squared_length(direction[v]);
+    }
+    return sum;
+  });
   parameter_direction_.resize(parameters_.size());
   for (std::size_t k = 0; k < parameters_.size(); ++k) {
     double force = -parameters_.slope(k);
@@ -258,7 +267,10 @@ bool Problem::make_good(std::span<Vec3> x, std::span<const double> errors) {
   solve_gram(errors, multipliers_);
   if (!parameters_.empty()) move_parameters();
   energy_.volume_gradient().set_multipliers(multipliers_);
-  for (std::size_t v = 0; v < x.size(); ++v) x[v] += weights_[v] * energy_.volume_gradient().pull(v);
+  const energy::VolumeGradient& volume = energy_.volume_gradient();
+  film::for_each_block(x.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) x[v] += weights_[v] * volume.pull(v);
+  });
   return constrain(x);
 }
 
@@ -297,7 +309,10 @@ Ending Problem::restore_volumes(std::span<Vec3> x, double& energy, RestoreMode m
 
 double Problem::restore_roughly(std::span<Vec3> x, double tolerance) {
   if (!constrain(x)) return HUGE_VAL;
-  double energy = energy_.value(x);
+  return restore_roughly(x, tolerance, energy_.value(x));
+}
+
+double Problem::restore_roughly(std::span<Vec3> x, double tolerance, double energy) {
   for (int pass = 0; pass < most_rough_passes && !targets_.empty(); ++pass) {
     volume_errors(errors_);
     const bool near = std::all_of(errors_.begin(), errors_.end(),

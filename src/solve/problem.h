@@ -101,6 +101,8 @@ class Problem {
   // targets (relative to 1 or to them, whichever is more), but not often: enough to compare energies. Returns
   // the energy, infinite where constraints are lost.
   double restore_roughly(std::span<Vec3> x, double tolerance);
+  // From where `linearise` has just found this energy.
+  double restore_roughly(std::span<Vec3> x, double tolerance, double energy);
 
   // Writes pressures to the scene's bodies, and the parameters of vertices on boundaries.
   void publish(scene::Scene& scene) const;

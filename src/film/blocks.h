@@ -1,0 +1,40 @@
+// Work on rows shared out over threads, with the same result to the bit for any number of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace lamella::film {
+
+// From so many rows on it pays to wake other threads; then rows are cut into so many blocks, and what blocks
+// sum is added in their order.
+inline constexpr std::size_t rows_worth_threads = 8192;
+inline constexpr std::size_t block_count = 32;
+
+// Calls function(first, last) for blocks that together are the rows from 0 to `count`, side by side. The
+// function must not throw, and no block may read what another one writes.
+template <class Function>
+void for_each_block(std::size_t count, Function&& function) {
+  if (count < rows_worth_threads) {
+    function(std::size_t{0}, count);
+    return;
+  }
+#pragma omp parallel for schedule(static)
+  for (std::size_t b = 0; b < block_count; ++b)
+    function(b * count / block_count, (b + 1) * count / block_count);
+}
+
+// The sum of what function(first, last) returns.
+template <class Function>
+double sum_of_blocks(std::size_t count, Function&& function) {
+  if (count < rows_worth_threads) return function(std::size_t{0}, count);
+  std::array<double, block_count> parts;
+#pragma omp parallel for schedule(static)
+  for (std::size_t b = 0; b < block_count; ++b)
+    parts[b] = function(b * count / block_count, (b + 1) * count / block_count);
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  return sum;
+}
+
+}  // namespace lamella::film
