@@ -19,7 +19,8 @@ HessianWork::HessianWork(Session& session)
       problem_((film_of(session), session.scene())),
       x_(session.scene().film.edit_positions()),
       method_(problem_, session.scene().film,
-              session.scene().hessian_normal ? solve::MotionKind::normal : solve::MotionKind::full) {
+              session.scene().hessian_normal ? solve::MotionKind::normal : solve::MotionKind::full,
+              &session.memory<solve::SymbolicMemory>()) {
   double energy = 0;
   const Ending ending = problem_.linearise_and_restore(x_, energy);
   if (ending != Ending::converged) refuse_hessian_step(ending);

@@ -12,7 +12,12 @@ namespace {
 
 using film::Vec3;
 
-constexpr int planes = 200;  // that are tried across each axis
+constexpr int most_planes = 200;  // that are tried across an axis, and how many for so many rows
+constexpr std::size_t rows_per_plane = 4;
+// Seams are counted at about so many rows of a part, which tells good planes from bad ones as well as all do.
+constexpr std::size_t counted = 4000;
+// A part is cut across axes along which it is at least this part of its longest extent.
+constexpr double long_enough = 0.6;
 // Each side has at least this part of the rows; what a seam costs more for parts that are not equal.
 constexpr double least_part = 0.2;
 constexpr double lopsided = 1;
@@ -54,6 +59,7 @@ struct Cut {
   int axis = 0;
   double low = 0;  // planes stand at low + i/scale
   double scale = 0;
+  int planes = 0;
   int plane = 0;
   double cost = HUGE_VAL;
 
@@ -86,7 +92,9 @@ class Dissector {
   int seal(std::span<const int> rows);
   template <class Function>
   void for_each_tie(int row, int side, Function&& function) const;
-  Cut best_cut(std::span<const int> rows, int axis) const;
+  Vec3 extents(std::span<const int> rows, Vec3& low) const;
+  Cut best_cut(std::span<const int> rows) const;
+  Cut best_cut(std::span<const int> rows, int axis, double low, double extent) const;
   bool match(int row, int high);
   void reach(int row, int high);
   void cover(std::span<const int> rows, int high);
@@ -167,21 +175,46 @@ void Dissector::cover(std::span<const int> rows, int high) {
   }
 }
 
-// How many rows lie below each of many planes across one axis, and how many of those are tied to rows above.
-Cut Dissector::best_cut(std::span<const int> rows, int axis) const {
-  const auto at = [&](int row) { return places_[static_cast<std::size_t>(row)][axis]; };
-  double low = HUGE_VAL;
-  double high = -HUGE_VAL;
+Vec3 Dissector::extents(std::span<const int> rows, Vec3& low) const {
+  low = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Vec3 high = -low;
   for (const int row : rows) {
-    low = std::min(low, at(row));
-    high = std::max(high, at(row));
+    const Vec3& place = places_[static_cast<std::size_t>(row)];
+    low = {std::min(low.x, place.x), std::min(low.y, place.y), std::min(low.z, place.z)};
+    high = {std::max(high.x, place.x), std::max(high.y, place.y), std::max(high.z, place.z)};
   }
-  const double scale = planes / (high - low);
-  if (!(high > low) || !std::isfinite(scale)) return {};
-  Cut best{axis, low, scale};
-  std::array<int, planes + 1> below{};
-  std::array<int, planes + 1> seam{};
-  for (const int row : rows) {
+  return high - low;
+}
+
+// The best across all axes; without a cost where there is none.
+Cut Dissector::best_cut(std::span<const int> rows) const {
+  Vec3 low;
+  const Vec3 extent = extents(rows, low);
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  Cut best;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(extent[axis] >= long_enough * longest)) continue;
+    const Cut cut = best_cut(rows, axis, low[axis], extent[axis]);
+    if (cut.cost < best.cost) best = cut;
+  }
+  return best;
+}
+
+// How many rows lie below each of many planes across one axis, and how many of those are tied to rows above.
+Cut Dissector::best_cut(std::span<const int> rows, int axis, double low, double extent) const {
+  const auto at = [&](int row) { return places_[static_cast<std::size_t>(row)][axis]; };
+  const int planes = static_cast<int>(std::min<std::size_t>(most_planes, rows.size() / rows_per_plane));
+  const double scale = planes / extent;
+  if (!(extent > 0) || !std::isfinite(scale)) return {};
+  Cut best{axis, low, scale, planes};
+  std::array<int, most_planes + 1> below;
+  std::array<int, most_planes + 1> seam;
+  std::fill_n(below.begin(), planes + 1, 0);
+  std::fill_n(seam.begin(), planes + 1, 0);
+  const std::size_t stride = std::max<std::size_t>(1, rows.size() / counted);
+  int whole = 0;
+  for (std::size_t i = 0; i < rows.size(); i += stride, ++whole) {
+    const int row = rows[i];
     const int own = best.plane_of(at(row));
     int farthest = own;
     for_each_tie(row, side_[static_cast<std::size_t>(row)], [&](int other) {
@@ -192,11 +225,10 @@ Cut Dissector::best_cut(std::span<const int> rows, int axis) const {
     ++seam[static_cast<std::size_t>(own) + 1];
     --seam[static_cast<std::size_t>(farthest) + 1];
   }
-  const auto whole = static_cast<double>(rows.size());
-  for (std::size_t i = 1; i < planes; ++i) {
+  for (std::size_t i = 1; i < static_cast<std::size_t>(planes); ++i) {
     below[i] += below[i - 1];
     seam[i] += seam[i - 1];
-    const double part = below[i] / whole;
+    const double part = static_cast<double>(below[i]) / whole;
     if (part < least_part || part > 1 - least_part) continue;
     const double cost = seam[i] * (1 + lopsided * (2 * part - 1) * (2 * part - 1));
     if (!(cost < best.cost)) continue;
@@ -209,11 +241,7 @@ Cut Dissector::best_cut(std::span<const int> rows, int axis) const {
 // Numbers the pieces of some rows, the seam between its parts last. Returns that number.
 int Dissector::part(std::span<int> rows) {
   if (rows.size() <= small_) return seal(rows);
-  Cut cut;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Cut other = best_cut(rows, axis);
-    if (other.cost < cut.cost) cut = other;
-  }
+  const Cut cut = best_cut(rows);
   if (cut.cost == HUGE_VAL) return seal(rows);
   const auto parted = std::partition(rows.begin(), rows.end(), [&](int row) {
     return cut.is_below(places_[static_cast<std::size_t>(row)][cut.axis]);

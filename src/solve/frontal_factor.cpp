@@ -110,7 +110,8 @@ void FrontalFactor::find_rows(const LowerMatrix& pattern, const Dissection& piec
     std::sort(front.rows.begin() + front.own, front.rows.end(),
               [&](int a, int b) { return order_[at(a)] < order_[at(b)]; });
     front.work += static_cast<double>(front.own) * static_cast<double>(front.size() * front.size());
-    front.panel.resize(front.size() * at(front.own));
+    front.panel = panel_size_;
+    panel_size_ += front.size() * at(front.own);
     if (front.parent < 0) work_ += front.work;
   }
 }
@@ -144,17 +145,18 @@ void FrontalFactor::assemble(Front& front, const LowerMatrix& matrix) {
   const std::size_t size = front.size();
   const std::size_t own = at(front.own);
   const std::size_t rest = front.rest();
-  std::fill(front.panel.begin(), front.panel.end(), 0.0);
+  double* const own_columns = panel(front);
+  std::fill_n(own_columns, size * own, 0.0);
   front.update.assign(rest * rest, 0.0);
   for (const auto& [entry, row, column] : front.entries)
-    front.panel[at(column) * size + at(row)] += matrix.value[at(entry)];
+    own_columns[at(column) * size + at(row)] += matrix.value[at(entry)];
   for (const int c : front.children) {
     Front& child = fronts_[at(c)];
     const std::size_t count = child.rest();
     for (std::size_t j = 0; j < count; ++j) {
       const std::size_t column = at(child.in_parent[j]);
       const double* const from = child.update.data() + j * count;
-      double* const to = column < own ? front.panel.data() + column * size : front.update.data();
+      double* const to = column < own ? own_columns + column * size : front.update.data();
       const std::size_t skip = column < own ? 0 : own - (column - own) * rest;  // modulo the word
       for (std::size_t i = j; i < count; ++i) to[at(child.in_parent[i]) - skip] += from[i];
     }
@@ -175,11 +177,12 @@ void FrontalFactor::climb(int f, const LowerMatrix& matrix) {
   const Index size = index(front.size());
   const Index rest = index(front.rest());
   front.sound =
-      front.sound && eliminate_panel(Matrix(front.panel.data(), size, front.own, Eigen::OuterStride<>(size)),
+      front.sound && eliminate_panel(Matrix(panel(front), size, front.own, Eigen::OuterStride<>(size)),
                                      Matrix(front.update.data(), rest, rest, Eigen::OuterStride<>(rest)));
 }
 
 bool FrontalFactor::factorise(const LowerMatrix& matrix) {
+  if (panels_.data() == nullptr) panels_ = LargeArray(panel_size_);
 #pragma omp parallel if (work_ > worth_threads)
 #pragma omp single
   for (std::size_t f = 0; f < fronts_.size(); ++f) {
@@ -191,7 +194,8 @@ bool FrontalFactor::factorise(const LowerMatrix& matrix) {
 int FrontalFactor::negative_pivots() const {
   int negative = 0;
   for (const Front& front : fronts_) {
-    for (std::size_t j = 0; j < at(front.own); ++j) negative += front.panel[j * front.size() + j] < 0 ? 1 : 0;
+    for (std::size_t j = 0; j < at(front.own); ++j)
+      negative += panel(front)[j * front.size() + j] < 0 ? 1 : 0;
   }
   return negative;
 }
@@ -213,22 +217,23 @@ void FrontalFactor::solve(std::span<double> values, int columns) {
   };
   for (Front& front : fronts_) {
     const Index size = index(front.size());
-    const Matrix panel(front.panel.data(), size, front.own, Eigen::OuterStride<>(size));
+    const Matrix columns_of_l(panel(front), size, front.own, Eigen::OuterStride<>(size));
     gather(front);
     auto own = part.topRows(front.own);
-    panel.topRows(front.own).triangularView<Eigen::UnitLower>().solveInPlace(own);
-    part.bottomRows(index(front.rest())).noalias() -= panel.bottomRows(index(front.rest())) * own;
-    for (Index j = 0; j < front.own; ++j) own.row(j) /= panel(j, j);
+    columns_of_l.topRows(front.own).triangularView<Eigen::UnitLower>().solveInPlace(own);
+    part.bottomRows(index(front.rest())).noalias() -= columns_of_l.bottomRows(index(front.rest())) * own;
+    for (Index j = 0; j < front.own; ++j) own.row(j) /= columns_of_l(j, j);
     scatter(front, front.size());
   }
   for (std::size_t f = fronts_.size(); f-- > 0;) {
     Front& front = fronts_[f];
     const Index size = index(front.size());
-    const Matrix panel(front.panel.data(), size, front.own, Eigen::OuterStride<>(size));
+    const Matrix columns_of_l(panel(front), size, front.own, Eigen::OuterStride<>(size));
     gather(front);
     auto own = part.topRows(front.own);
-    own.noalias() -= panel.bottomRows(index(front.rest())).transpose() * part.bottomRows(index(front.rest()));
-    panel.topRows(front.own).triangularView<Eigen::UnitLower>().transpose().solveInPlace(own);
+    own.noalias() -=
+        columns_of_l.bottomRows(index(front.rest())).transpose() * part.bottomRows(index(front.rest()));
+    columns_of_l.topRows(front.own).triangularView<Eigen::UnitLower>().transpose().solveInPlace(own);
     scatter(front, at(front.own));
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solve/dissection.h"
+#include "solve/large_array.h"
 #include "solve/lower_matrix.h"
 
 namespace lamella::solve {
@@ -19,6 +20,9 @@ namespace lamella::solve {
 class FrontalFactor {
  public:
   FrontalFactor(const LowerMatrix& pattern, const Dissection& pieces);
+
+  // Gives back the memory of the last factorisation.
+  void forget_values() { panels_ = {}; }
 
   // False if a pivot vanishes or is not a number.
   bool factorise(const LowerMatrix& matrix);
@@ -37,8 +41,8 @@ class FrontalFactor {
     std::vector<int> in_parent;  // where the rows that are not its own stand in the parent's
     // Entries of the matrix (by their places there) and where they go in the front, row and column.
     std::vector<std::array<int, 3>> entries;
-    double work = 0;             // of the front and all below it
-    std::vector<double> panel;   // own columns of L, each as long as `rows`; D on the diagonal
+    double work = 0;        // of the front and all below it
+    std::size_t panel = 0;  // where its own columns of L stand, each as long as `rows`; D on the diagonal
     std::vector<double> update;  // what is handed on, square, its lower half
     bool sound = true;
 
@@ -51,7 +55,12 @@ class FrontalFactor {
   void climb(int front, const LowerMatrix& matrix);
   void assemble(Front& front, const LowerMatrix& matrix);
 
+  double* panel(const Front& front) { return panels_.data() + front.panel; }
+  const double* panel(const Front& front) const { return panels_.data() + front.panel; }
+
   std::vector<Front> fronts_;
+  std::size_t panel_size_ = 0;  // of all panels
+  LargeArray panels_;
   std::vector<int> order_;  // of each row in the elimination
   double work_ = 0;
 };

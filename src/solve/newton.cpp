@@ -22,9 +22,9 @@ constexpr double rounding = 1e-13;
 
 }  // namespace
 
-Newton::Newton(Problem& problem, const film::Film& film, MotionKind motion)
+Newton::Newton(Problem& problem, const film::Film& film, MotionKind motion, SymbolicMemory* memory)
     : problem_(problem),
-      system_(problem, film, motion),
+      system_(problem, film, motion, memory),
       reduced_(system_.basis().size()),
       from_(film.vertex_rows()),
       direction_(film.vertex_rows()) {}

@@ -28,7 +28,7 @@ struct NewtonStep {
 // Makes one step after another with the same symbolic factorisation.
 class Newton {
  public:
-  Newton(Problem& problem, const film::Film& film, MotionKind motion);
+  Newton(Problem& problem, const film::Film& film, MotionKind motion, SymbolicMemory* memory = nullptr);
 
   // One step, shortened until the energy at restored volumes does not rise (towards a saddle that is to be
   // kept: until it changes as the model says, to a half); where nothing helps, positions stay as they were

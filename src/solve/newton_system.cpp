@@ -40,12 +40,13 @@ std::vector<Vec3> places(const film::Film& film, const Basis& basis) {
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(Problem& problem, const film::Film& film, MotionKind motion)
+NewtonSystem::NewtonSystem(Problem& problem, const film::Film& film, MotionKind motion,
+                           SymbolicMemory* memory)
     : problem_(problem),
       film_(film),
       basis_(film, problem.weights(), motion, problem.energy().constraints()),
       hessian_(problem, film, basis_),
-      factor_(std::make_unique<SparseFactor>(hessian_.matrix(), places(film, basis_))),
+      factor_(std::make_unique<SparseFactor>(hessian_.matrix(), places(film, basis_), memory)),
       field_(film.vertex_rows()),
       force_(basis_.size()) {
   film_.edit_position_rows() = {};

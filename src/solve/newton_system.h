@@ -13,10 +13,10 @@
 
 namespace lamella::solve {
 
-// Lives as long as the connectivity: the symbolic factorisation is made once.
+// Lives as long as the connectivity: the symbolic factorisation is made once, or taken from a memory.
 class NewtonSystem {
  public:
-  NewtonSystem(Problem& problem, const film::Film& film, MotionKind motion);
+  NewtonSystem(Problem& problem, const film::Film& film, MotionKind motion, SymbolicMemory* memory = nullptr);
 
   // Energy, pressures, directions and the Hessian at x. Returns the energy; false in `ok` as in
   // Problem::linearise.

@@ -1,7 +1,6 @@
 #include "solve/sparse_factor.h"
 
 #include <cstring>
-#include <optional>
 #include <utility>
 
 #include <cholmod.h>
@@ -12,7 +11,7 @@ namespace lamella::solve {
 
 struct SparseFactor::Work {
   cholmod_common common{};
-  std::optional<FrontalFactor> fronts;  // or else the rest
+  std::shared_ptr<FrontalFactor> fronts;  // or else the rest
   cholmod_factor* factor = nullptr;
   cholmod_dense* solution = nullptr;  // kept between solves, as are the two below
   cholmod_dense* work_y = nullptr;
@@ -29,6 +28,7 @@ struct SparseFactor::Work {
     common.quick_return_if_not_posdef = 1;
   }
   ~Work() {
+    if (fronts) fronts->forget_values();
     cholmod_free_dense(&solution, &common);
     cholmod_free_dense(&work_y, &common);
     cholmod_free_dense(&work_e, &common);
@@ -65,10 +65,21 @@ cholmod_sparse as_cholmod(const LowerMatrix& matrix) {
 
 // Minimum degree and scalar columns are fastest for small matrices, dissection and dense fronts for large
 // ones.
-SparseFactor::SparseFactor(const LowerMatrix& pattern, std::span<const film::Vec3> places)
+SparseFactor::SparseFactor(const LowerMatrix& pattern, std::span<const film::Vec3> places,
+                           SymbolicMemory* memory)
     : work_(std::make_unique<Work>()) {
   if (!places.empty() && pattern.size() > large) {
-    work_->fronts.emplace(pattern, dissection(pattern, places, leaf));
+    if (memory != nullptr && memory->fronts_.use_count() == 1 && memory->row_ == pattern.row &&
+        memory->column_start_ == pattern.column_start) {
+      work_->fronts = memory->fronts_;
+      return;
+    }
+    work_->fronts = std::make_shared<FrontalFactor>(pattern, dissection(pattern, places, leaf));
+    if (memory != nullptr) {
+      memory->column_start_ = pattern.column_start;
+      memory->row_ = pattern.row;
+      memory->fronts_ = work_->fronts;
+    }
     return;
   }
   cholmod_sparse a = as_cholmod(pattern);

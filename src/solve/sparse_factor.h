@@ -11,12 +11,27 @@
 
 namespace lamella::solve {
 
+class FrontalFactor;
+
+// The symbolic part of the last large factorisation, for a later one of the same pattern: commands that come
+// one after another work on one mesh. Holds no values.
+class SymbolicMemory {
+ private:
+  friend class SparseFactor;
+  std::vector<int> column_start_;
+  std::vector<int> row_;
+  std::shared_ptr<FrontalFactor> fronts_;
+};
+
 // The symbolic part is made once for a pattern, and kept while only values change.
 class SparseFactor {
  public:
   // `places`, a point a row where they are known, make for a better order of large matrices (rows beyond them
   // are multipliers, see solve/dissection.h).
-  explicit SparseFactor(const LowerMatrix& pattern, std::span<const film::Vec3> places = {});
+  // With a memory the symbolic part is taken from there if that is of the same pattern and not in use, and
+  // left there.
+  explicit SparseFactor(const LowerMatrix& pattern, std::span<const film::Vec3> places = {},
+                        SymbolicMemory* memory = nullptr);
   ~SparseFactor();
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;
