@@ -167,10 +167,13 @@ void FrontalFactor::assemble(Front& front, const LowerMatrix& matrix) {
 
 void FrontalFactor::climb(int f, const LowerMatrix& matrix) {
   Front& front = fronts_[at(f)];
-  for (const int child : front.children) {
+  // The last branch is this thread's own: in `taskwait` it would sleep while others work further down.
+  for (std::size_t i = 0; i + 1 < front.children.size(); ++i) {
+    const int child = front.children[i];
 #pragma omp task firstprivate(child) shared(matrix) if (fronts_[at(child)].work > worth_a_task)
     climb(child, matrix);
   }
+  if (!front.children.empty()) climb(front.children.back(), matrix);
 #pragma omp taskwait
   front.sound = true;
   assemble(front, matrix);
