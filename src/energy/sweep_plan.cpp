@@ -11,7 +11,7 @@ namespace {
 
 using Range = SweepPlan::Range;
 
-constexpr std::size_t worth_threads = 16384;  // triangles
+constexpr std::size_t worth_threads = 49152;  // triangles
 constexpr std::size_t most_parts = 32;
 // What lies between parts is swept on one thread: a film that has more of it is scattered in memory.
 constexpr double most_between = 0.25;

@@ -8,7 +8,7 @@ namespace lamella::film {
 
 // From so many rows on it pays to wake other threads; then rows are cut into so many blocks, and what blocks
 // sum is added in their order.
-inline constexpr std::size_t rows_worth_threads = 8192;
+inline constexpr std::size_t rows_worth_threads = 24576;
 inline constexpr std::size_t block_count = 32;
 
 // Calls function(first, last) for blocks that together are the rows from 0 to `count`, side by side. The

@@ -7,7 +7,7 @@ namespace lamella::film {
 
 namespace {
 
-constexpr std::uint32_t fewest_facets = 16384;
+constexpr std::uint32_t fewest_facets = 49152;
 
 // Vertices in the order in which a walk along the edges, nearest first, meets them; piece after piece.
 std::vector<std::uint32_t> breadth_first(const Film& film) {

@@ -11,7 +11,7 @@ namespace {
 constexpr Eigen::Index block = 48;  // columns eliminated at a time
 // Multiplications of a branch, and of all of them, from which on it pays to share them out.
 constexpr double worth_a_task = 2e5;
-constexpr double worth_threads = 1e8;
+constexpr double worth_threads = 5e8;
 
 using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using Index = Eigen::Index;

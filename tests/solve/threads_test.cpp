@@ -13,7 +13,7 @@ namespace {
 // A cube of 24 * 4^5 facets whose film is not flat.
 scene::Scene large_film() {
   scene::Scene scene = test::cube();
-  while (scene.film.triangle_count() < 20000) surgery::refine(scene.film);
+  while (scene.film.triangle_count() < 60000) surgery::refine(scene.film);
   for (film::Vec3& p : scene.film.edit_positions()) p += 0.05 * film::Vec3{p.y * p.y, p.z * p.x, p.x * p.x};
   return scene;
 }
