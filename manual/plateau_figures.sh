@@ -79,7 +79,7 @@ lattice() {
   local best spent energy steps
   sh "$files/lattice.sh" 5 > "$work/lattice.fe"
   best=$("$lamella" "$work/lattice.fe" -e 'relax levels=2; print total_energy' 2> /dev/null | tail -1)
-  spent=$(ours "$work/lattice.fe" 'relax levels=2 tolerance=1e-4; print total_energy')
+  spent=$(ours "$work/lattice.fe" 'relax levels=1 tolerance=1e-3; refine; U; g 5; print total_energy')
   energy=$(tail -1 "$work/out")
   row 'lattice of 125 bubbles: seconds' lattice 28800 Lamella "$spent" s
   row 'lattice of 125 bubbles: above the end' lattice 28800 Lamella "$(calculate "$energy/$best - 1")" 1
