@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 
+#include "film/blocks.h"
 #include "solve/film_metric.h"
 
 namespace lamella::solve {
@@ -18,13 +19,17 @@ constexpr double armijo = 1e-4;
 using Field = std::vector<Vec3>;
 
 double product(const Field& a, const Field& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
-  return sum;
+  return film::sum_of_blocks(a.size(), [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += dot(a[i], b[i]);
+    return sum;
+  });
 }
 
 void add_scaled(Field& a, double factor, const Field& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+  film::for_each_block(a.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) a[i] += factor * b[i];
+  });
 }
 
 // A step taken and what it did to the gradient.
