@@ -49,7 +49,7 @@ void read_air(Reading& reading, const language::Token& name, const std::string& 
                     "cells, two corners, viscosity and pressure, as in \"32 -2 -2 -2 2 2 2 0 1\"");
 }
 
-void put(std::string& out, const char* name, const std::string& text) {
+void put_parameter(std::string& out, const char* name, const std::string& text) {
   fmt::format_to(std::back_inserter(out), "parameter {} = {}\n", name, written_value(text));
 }
 
@@ -74,15 +74,15 @@ bool read_force_setting(Reading& reading, const language::Token& name, const std
 }
 
 void write_forces(std::string& out, const scene::Forces& forces) {
-  if (forces.force) put(out, "lamella_force", forces.force->text());
-  if (forces.wind) put(out, "lamella_wind", forces.wind->text());
+  if (forces.force) put_parameter(out, "lamella_force", forces.force->text());
+  if (forces.wind) put_parameter(out, "lamella_wind", forces.wind->text());
   if (!forces.air) return;
   const scene::Air& air = *forces.air;
-  put(out, "lamella_air",
-      fmt::format("{} {} {} {} {} {} {} {} {}", air.cells, air.from.x, air.from.y, air.from.z, air.to.x,
-                  air.to.y, air.to.z, air.viscosity, air.pressure));
-  if (air.fan) put(out, "lamella_air_fan", air.fan->text());
-  if (air.jet) put(out, "lamella_air_jet", air.jet->text());
+  put_parameter(out, "lamella_air",
+                fmt::format("{} {} {} {} {} {} {} {} {}", air.cells, air.from.x, air.from.y, air.from.z,
+                            air.to.x, air.to.y, air.to.z, air.viscosity, air.pressure));
+  if (air.fan) put_parameter(out, "lamella_air_fan", air.fan->text());
+  if (air.jet) put_parameter(out, "lamella_air_jet", air.jet->text());
 }
 
 }  // namespace lamella::datafile

@@ -8,6 +8,7 @@
 
 #include "datafile/attributes.h"
 #include "datafile/force_settings.h"
+#include "datafile/put.h"
 #include "datafile/settings.h"
 #include "datafile/title.h"
 #include "datafile/write_commands.h"
@@ -20,11 +21,6 @@ namespace lamella::datafile {
 namespace {
 
 using film::ElementKind;
-
-template <class... Arguments>
-void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
 
 // Whether bodies fill space.
 bool is_filled(const scene::Scene& scene) {

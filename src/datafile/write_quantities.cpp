@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "datafile/put.h"
+
 namespace lamella::datafile {
 
 namespace {
@@ -12,11 +14,6 @@ namespace {
 using scene::MethodInstance;
 using scene::Quantity;
 using scene::QuantityRole;
-
-template <class... Arguments>
-void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
 
 void write_details(std::string& out, const MethodInstance& instance) {
   if (instance.modulus != 1) put(out, " modulus {}", instance.modulus);
