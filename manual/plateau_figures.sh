@@ -1,7 +1,7 @@
 #!/bin/bash
 # Measures the figures of manual/plateau.md and writes them to plateau_figures.csv beside this file. Takes some minutes.
 #   manual/plateau_figures.sh LAMELLA
-# Times are processor seconds, the least of `runs` (3). Surface Evolver takes part where it is installed. With large=1
+# Times are processor seconds of one thread, the least of `runs` (3); rows on threads are seconds on the wall. Surface Evolver takes part where it is installed. With large=1
 # Newton's step is taken on 1.6 million facets too (some minutes and gigabytes more).
 set -eu
 lamella=$(realpath "${1:?usage: plateau_figures.sh PATH_TO_LAMELLA}")
@@ -124,6 +124,25 @@ levels() {  # scene, levels
   row 'relax levels from the datafile' "$1" "$(tail -1 "$work/out")" Lamella "$spent" s
 }
 
+# The least seconds on the wall of five runs of a command on so many threads.
+wall() {  # threads, datafile, commands
+  local least=1e9 spent
+  for _ in 1 2 3 4 5; do
+    spent=$(OMP_NUM_THREADS=$1 bash -c 'TIMEFORMAT=%R; time "$@" > "$0" 2>&1' "$work/out" "$lamella" "$2" -e "$3" 2>&1 | tail -1)
+    least=$(awk -v a="$least" -v b="$spent" 'BEGIN { print b < a ? b : a }')
+  done
+  echo "$least"
+}
+
+threads() {  # scene, refinements, facets, steps, what
+  local count begin end
+  for count in 1 2; do
+    begin=$(wall "$count" "$files/$1.fe" "r $2; g 2")
+    end=$(wall "$count" "$files/$1.fe" "r $2; g 2; $5")
+    row "$5 on $count threads" "$1" "$3" Lamella "$(calculate "($end - $begin)/$4/$3*1e6")" 'us a facet'
+  done
+}
+
 levels wire_cube 4
 levels double_bubble 4
 levels weaire_phelan 3
@@ -131,6 +150,10 @@ levels cube 6
 levels wire_cube 6
 levels double_bubble 6
 descent_step
+threads cube 6 98304 200 'g 200'
+threads cube 7 393216 50 'g 50'
+threads catenoid 6 786432 50 'g 50'
+threads cube 6 98304 6 'hessian 6'
 newton_step 6 98304
 [ -z "${large:-}" ] || runs=1 newton_step 8 1572864
 lattice

@@ -22,7 +22,9 @@ TEST(Log, WritesARowEverySoManySteps) {
     std::vector<double> values;
     for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
     ASSERT_EQ(values.size(), 13U);
-    if (row > 1) EXPECT_NEAR(values[4], balance, 1e-3);
+    if (row > 1) {
+      EXPECT_NEAR(values[4], balance, 1e-3);
+    }
     balance = values[4];
     EXPECT_LT(values[11], 1e-11);
   }

@@ -36,7 +36,9 @@ TEST(Reactions, ACatenoidPullsOnBothRingsByItsWaist) {
     EXPECT_NEAR(sum[4], 0, 1e-4);
     const double error = std::abs(lower[3] / (2 * M_PI) - 1);
     EXPECT_LT(error, levels == 3 ? 0.01 : 0.2);
-    if (levels > 1) EXPECT_LT(error, before / 3);
+    if (levels > 1) {
+      EXPECT_LT(error, before / 3);
+    }
     before = error;
   }
 }
