@@ -53,6 +53,7 @@ constexpr int most_new_meshes = 3;
 constexpr double usable_angle = 5 * M_PI / 180;
 constexpr double most_change = 0.15;
 constexpr double finer_meshes[] = {1, 1.4, 2, 2.8, 4};
+constexpr double finer_is_better = 1.5;  // in the smallest angle, or the next is not worth trying
 
 struct FacetSizes {
   double smallest = HUGE_VAL;
@@ -292,12 +293,14 @@ bool Relaxer::renew_mesh() {
   if (!wanted || report_.new_meshes == most_new_meshes) return false;
   const film::Film before = scene_.film;
   const double energy = report_.energy;
+  double last_angle = 0;
   for (const double finer : finer_meshes) {
     make_new_mesh(scene_, finer);
     const bool met =
         energy::smallest_angle(scene_.film) > fit_angle ? meet_targets() : (keep_mesh(), going());
     const bool kept_shape = std::abs(report_.energy - energy) < most_change * energy;
-    if (met && kept_shape && energy::smallest_angle(scene_.film) > usable_angle) {
+    const double angle = energy::smallest_angle(scene_.film);
+    if (met && kept_shape && angle > usable_angle) {
       ++report_.new_meshes;
       at_start_ = facet_sizes(scene_.film);
       return true;
@@ -305,6 +308,9 @@ bool Relaxer::renew_mesh() {
     scene_.film = before;
     report_.energy = energy;
     report_.ending = Ending::converged;
+    // Where a piece of the film vanishes, no mesh is fine enough.
+    if (angle < hopeless_angle && angle < finer_is_better * last_angle) return false;
+    last_angle = angle;
   }
   return false;
 }
