@@ -444,7 +444,8 @@ class ArgumentParser {
   // first is told. A kind named first (`vertex z`) leaves no choice.
   void field(TypedArgument& typed) {
     using language::ElementKind;
-    std::vector<ElementKind> kinds = {ElementKind::facet, ElementKind::vertex, ElementKind::edge};
+    std::vector<ElementKind> kinds = {typed.argument->first_kind, ElementKind::facet, ElementKind::vertex,
+                                      ElementKind::edge};
     const auto named = language::element_kind(tokens_.peek().text);
     if (named && *named != ElementKind::body && !tokens_.peek(1).is_symbol("[")) {
       kinds = {*named};

@@ -80,7 +80,8 @@ struct ProcedureName {
 };
 
 // A number of each element, not yet evaluated: `color=length`. Of edges, vertices or facets, whichever have
-// the attributes that it names; facets where any would do; those named first in `color=vertex z`.
+// the attributes that it names; the argument's `first_kind` where any would do; those named first in
+// `color=vertex z`.
 struct Field {
   language::ElementKind kind = language::ElementKind::facet;
   language::LocalId slot;  // where the element in turn is put
@@ -140,6 +141,8 @@ struct Argument {
   bool least_excluded = false;
   std::optional<double> most;
   std::size_t how_many = 1;  // of numbers
+  language::ElementKind first_kind =
+      language::ElementKind::facet;  // what a field is of where it may be of any
   std::function<void(void* options, const GivenValue& value)> store;
 };
 
@@ -225,6 +228,7 @@ struct ArgumentOf : Argument {
   ArgumentOf one_of(std::vector<std::string> words) && {
     return choices = std::move(words), std::move(*this);
   }
+  ArgumentOf of(language::ElementKind first) && { return first_kind = first, std::move(*this); }
   ArgumentOf or_word(std::string word) && { return word_for_none = std::move(word), std::move(*this); }
 };
 
