@@ -106,7 +106,7 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
   for (std::size_t b = 0; b < borders_.size(); ++b) {
     std::sort(rows_at[b].begin(), rows_at[b].end());
     borders_[b].first = static_cast<std::uint32_t>(slots_.size());
-    for (const int row : rows_at[b]) slots_.push_back({row, {}, {}});
+    for (const int row : rows_at[b]) slots_.push_back({row, {}});
     borders_[b].last = static_cast<std::uint32_t>(slots_.size());
   }
   const auto slot = [&](film::Vertex v, film::Region region) {
@@ -167,12 +167,18 @@ void VolumeGradient::build_pattern() {
 void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention,
                             double time) {
   lines_ = lines;
+  unrestricted_.clear();
   for (Slot& slot : slots_) slot.gradient = {};
+  std::uint32_t triangle = none;  // the corners of one follow each other
+  Vec3 share;
   for (const Corner& corner : corners_) {
-    const auto& v = input.triangles[corner.triangle];
-    const Vec3 share = double_area_vector(input.positions[v[0].index], input.positions[v[1].index],
-                                          input.positions[v[2].index]) /
-                       6;
+    if (corner.triangle != triangle) {
+      triangle = corner.triangle;
+      const auto& v = input.triangles[triangle];
+      share = double_area_vector(input.positions[v[0].index], input.positions[v[1].index],
+                                 input.positions[v[2].index]) /
+              6;
+    }
     if (corner.behind != none) slots_[corner.behind].gradient += share;
     if (corner.front != none) slots_[corner.front].gradient -= share;
   }
@@ -187,13 +193,12 @@ void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine>
     slots_[content.from].gradient += g.from;
     slots_[content.to].gradient += g.to;
   }
-  for (Slot& slot : slots_) slot.unrestricted = slot.gradient;
 }
 
 void VolumeGradient::set_fixed(int row, std::span<const Vec3> gradient) {
   for (const Border& border : borders_) {
     for (std::uint32_t s = border.first; s < border.last; ++s) {
-      if (slots_[s].row == row) slots_[s].gradient = slots_[s].unrestricted = gradient[border.vertex];
+      if (slots_[s].row == row) slots_[s].gradient = gradient[border.vertex];
     }
   }
 }
@@ -205,10 +210,13 @@ void VolumeGradient::restrict(const VertexConstraints& constraints) {
     if (place_of_vertex_[v] < pairs_.size())
       restricted_[v] = constraints.restricted(v, lines_[v].area_vector);
   }
+  if (unrestricted_.empty()) {
+    for (const Slot& slot : slots_) unrestricted_.push_back(slot.gradient);
+  }
   for (const Border& border : borders_) {
     if (!constraints.holds(border.vertex)) continue;
     for (std::uint32_t s = border.first; s < border.last; ++s) {
-      slots_[s].gradient = constraints.restricted(border.vertex, slots_[s].unrestricted);
+      slots_[s].gradient = constraints.restricted(border.vertex, unrestricted_[s]);
     }
   }
 }
@@ -276,13 +284,49 @@ void VolumeGradient::dot(std::span<const double> weights, std::span<const Vec3> 
   }
 }
 
+// The share of a border vertex in the products.
+void VolumeGradient::multiply_border(const Border& border, double weight, const std::pair<Vec3, Vec3>& fields,
+                                     Products& products) const {
+  const int* entry = border_entries_.data() + border.first_entry;
+  for (std::uint32_t s = border.first; s < border.last; ++s) {
+    const Vec3& gradient = slots_[s].gradient;
+    const auto row = static_cast<std::size_t>(slots_[s].row);
+    products.first[row] += film::dot(gradient, fields.first);
+    products.second[row] += film::dot(gradient, fields.second);
+    const Vec3 weighted = weight * gradient;
+    for (std::uint32_t t = border.first; t <= s; ++t)
+      products.gram[static_cast<std::size_t>(*entry++)] += film::dot(weighted, slots_[t].gradient);
+  }
+}
+
+void VolumeGradient::multiply_gram(std::span<const double> values, std::span<const double> vector,
+                                   std::span<double> result) const {
+  std::fill(result.begin(), result.end(), 0.0);
+  for (std::size_t i = 0; i < pattern_.size(); ++i) {
+    const auto row = static_cast<std::size_t>(pattern_[i].row);
+    const auto column = static_cast<std::size_t>(pattern_[i].column);
+    result[row] += values[i] * vector[column];
+    if (row != column) result[column] += values[i] * vector[row];
+  }
+}
+
+void VolumeGradient::factor_pairs(std::span<const double> multipliers, std::vector<double>& factors) const {
+  factors.assign(pairs_.size(), 0.0);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (pairs_[i].high >= 0) factors[i] += multipliers[static_cast<std::size_t>(pairs_[i].high)];
+    if (pairs_[i].low >= 0) factors[i] -= multipliers[static_cast<std::size_t>(pairs_[i].low)];
+  }
+}
+
 void VolumeGradient::set_multipliers(std::span<const double> multipliers) {
   multipliers_.assign(multipliers.begin(), multipliers.end());
-  pair_factor_.assign(pairs_.size(), 0.0);
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    if (pairs_[i].high >= 0) pair_factor_[i] += multipliers[static_cast<std::size_t>(pairs_[i].high)];
-    if (pairs_[i].low >= 0) pair_factor_[i] -= multipliers[static_cast<std::size_t>(pairs_[i].low)];
-  }
+  factor_pairs(multipliers, pair_factor_);
+}
+
+void VolumeGradient::set_multipliers(std::span<const double> first, std::span<const double> second) {
+  set_multipliers(first);
+  second_multipliers_.assign(second.begin(), second.end());
+  factor_pairs(second, second_factor_);
 }
 
 Vec3 VolumeGradient::unrestricted_pull(std::size_t vertex) const {
@@ -292,7 +336,8 @@ Vec3 VolumeGradient::unrestricted_pull(std::size_t vertex) const {
   const Border& border = borders_[place - pairs_.size()];
   Vec3 sum;
   for (std::uint32_t s = border.first; s < border.last; ++s)
-    sum += multipliers_[static_cast<std::size_t>(slots_[s].row)] * slots_[s].unrestricted;
+    sum += multipliers_[static_cast<std::size_t>(slots_[s].row)] *
+           (unrestricted_.empty() ? slots_[s].gradient : unrestricted_[s]);
   return sum;
 }
 
@@ -302,6 +347,17 @@ Vec3 VolumeGradient::border_pull(const Border& border) const {
     sum += multipliers_[static_cast<std::size_t>(slots_[s].row)] * slots_[s].gradient;
   }
   return sum;
+}
+
+std::pair<Vec3, Vec3> VolumeGradient::border_pulls(const Border& border) const {
+  Vec3 first;
+  Vec3 second;
+  for (std::uint32_t s = border.first; s < border.last; ++s) {
+    const auto row = static_cast<std::size_t>(slots_[s].row);
+    first += multipliers_[row] * slots_[s].gradient;
+    second += second_multipliers_[row] * slots_[s].gradient;
+  }
+  return {first, second};
 }
 
 }  // namespace lamella::energy

@@ -7,6 +7,8 @@
 
 #include <cstdint>
 #include <span>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "energy/edge_integral.h"
@@ -57,6 +59,30 @@ class VolumeGradient {
   void dot(std::span<const double> weights, std::span<const Vec3> field, std::span<double> result) const;
   // Holds the multipliers of the rows for calls of `pull`, until the next call.
   void set_multipliers(std::span<const double> multipliers);
+  // What the motion of a film asks of every vertex, in one pass over them: G w G^T, and for two fields a and
+  // b the sums over vertices of gradient_i . a and gradient_i . b. `fields(v)` is called once for each
+  // vertex, in order, and returns both.
+  struct Products {
+    std::vector<double> gram;
+    std::vector<double> first;
+    std::vector<double> second;
+  };
+  template <class Fields>
+  void multiply(std::span<const double> weights, Fields&& fields, Products& products) const;
+  // The matrix in the pattern's order times a vector.
+  void multiply_gram(std::span<const double> values, std::span<const double> vector,
+                     std::span<double> result) const;
+  // A second set of multipliers beside the first, and the pulls of both at one vertex.
+  void set_multipliers(std::span<const double> first, std::span<const double> second);
+  std::pair<Vec3, Vec3> pulls(std::size_t vertex) const {
+    const std::uint32_t place = place_of_vertex_[vertex];
+    if (place == none) return {};
+    if (place < pairs_.size()) {
+      const Vec3& vector = area_vector(vertex);
+      return {pair_factor_[place] * vector, second_factor_[place] * vector};
+    }
+    return border_pulls(borders_[place - pairs_.size()]);
+  }
   // sum_i multipliers[i] gradient_i at one vertex: the force of the pressures there.
   Vec3 pull(std::size_t vertex) const {
     const std::uint32_t place = place_of_vertex_[vertex];
@@ -111,7 +137,6 @@ class VolumeGradient {
   struct Slot {
     int row = 0;
     Vec3 gradient;
-    Vec3 unrestricted;
   };
   struct Border {
     std::uint32_t vertex = 0;
@@ -141,6 +166,10 @@ class VolumeGradient {
     return restricted_.empty() ? lines_[vertex].area_vector : restricted_[vertex];
   }
   Vec3 border_pull(const Border& border) const;
+  std::pair<Vec3, Vec3> border_pulls(const Border& border) const;
+  void factor_pairs(std::span<const double> multipliers, std::vector<double>& factors) const;
+  void multiply_border(const Border& border, double weight, const std::pair<Vec3, Vec3>& fields,
+                       Products& products) const;
   void find_borders(const film::Film& film, std::span<const int> row_of_region,
                     std::span<const FieldEdge> contents, std::span<const FixedRow> fixed);
   void build_pattern();
@@ -159,8 +188,53 @@ class VolumeGradient {
   std::vector<int> border_entries_;
   std::vector<double> pair_factor_;  // multiplier of the high row minus that of the low one
   std::vector<double> multipliers_;
+  std::vector<double> second_factor_;
+  std::vector<double> second_multipliers_;
+  std::vector<Vec3> unrestricted_;  // of the slots; empty until constraints take something out
   std::span<const VertexLine> lines_;
   std::vector<Vec3> restricted_;  // area vectors of inner vertices; empty in a scene without constraints
 };
+
+// Inner vertices of one film mostly follow each other, so their sums are kept until the film changes.
+template <class Fields>
+void VolumeGradient::multiply(std::span<const double> weights, Fields&& fields, Products& products) const {
+  products.gram.assign(pattern_.size(), 0.0);
+  products.first.assign(static_cast<std::size_t>(rows_), 0.0);
+  products.second.assign(static_cast<std::size_t>(rows_), 0.0);
+  std::uint32_t run = none;
+  double square = 0;
+  double first = 0;
+  double second = 0;
+  const auto flush = [&] {
+    if (run == none) return;
+    const Pair& pair = pairs_[run];
+    for (const auto& [row, entry, sign] :
+         {std::tuple(pair.high, pair.entry_high, 1.0), std::tuple(pair.low, pair.entry_low, -1.0)}) {
+      if (row < 0) continue;
+      products.gram[static_cast<std::size_t>(entry)] += square;
+      products.first[static_cast<std::size_t>(row)] += sign * first;
+      products.second[static_cast<std::size_t>(row)] += sign * second;
+    }
+    if (pair.entry_mixed >= 0) products.gram[static_cast<std::size_t>(pair.entry_mixed)] -= square;
+    square = first = second = 0;
+  };
+  for (std::size_t v = 0; v < weights.size(); ++v) {
+    const std::pair<Vec3, Vec3> at = fields(v);
+    const std::uint32_t place = rows_ > 0 ? place_of_vertex_[v] : none;
+    if (place < pairs_.size()) {
+      if (place != run) {
+        flush();
+        run = place;
+      }
+      const Vec3& vector = area_vector(v);
+      square += weights[v] * squared_length(vector);
+      first += film::dot(vector, at.first);
+      second += film::dot(vector, at.second);
+    } else if (place != none) {
+      multiply_border(borders_[place - pairs_.size()], weights[v], at, products);
+    }
+  }
+  flush();
+}
 
 }  // namespace lamella::energy

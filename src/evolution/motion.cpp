@@ -28,7 +28,6 @@ Motion::Motion(scene::Scene& scene, Method method, VolumeMode volumes)
       gram_(terms_.volume_gradient().rows(), terms_.volume_gradient().pattern(),
             solve::GramSolver::Kind::fastest),
       memory_(scene, {terms_.constrained().begin(), terms_.constrained().end()}),
-      gram_values_(terms_.volume_gradient().pattern().size()),
       ones_(terms_.constrained().empty() ? 0 : scene.film.vertex_rows(), 1.0),
       weights_(scene.film.vertex_rows()),
       x_(scene.film.positions().begin(), scene.film.positions().end()),
@@ -91,39 +90,61 @@ bool Motion::linearise() {
     for (std::size_t v = 0; v < masses_.size(); ++v) masses_[v] = lines[v].area;
     weigh();
   }
-  double stiffest = 0;
-  for (std::size_t v = 0; v < weights_.size(); ++v)
-    stiffest = std::max(stiffest, lines[v].stiffness * weights_[v]);
-  const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
-  bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;
   forces_.advance(scene_.time);
   pushed_soundly_ = forces_.empty() || forces_.evaluate(x_, v_, lines, scene_.time, pushes_);
+  const bool pushed = !pushes_.empty();
+  double stiffest = 0;
+  terms_.volume_gradient().multiply(
+      answers_,
+      [&](std::size_t v) {
+        stiffest = std::max(stiffest, lines[v].stiffness * weights_[v]);
+        Vec3 acceleration = -weights_[v] * lines[v].gradient;
+        if (pushed && weights_[v] != 0) acceleration += pushes_[v];
+        return std::pair(v_[v], acceleration);
+      },
+      products_);
+  const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
+  bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;
   if (!pushed_soundly_ || !std::isfinite(energy_)) return false;
-  if (errors_.empty()) return true;
-  terms_.volume_gradient().gram(answers_, gram_values_);
-  return gram_.factorise(gram_values_);
+  return errors_.empty() || gram_.factorise(products_.gram);
 }
 
-// The kick from the forces at x_.
-void Motion::kick(double dt) {
+Motion::Pace Motion::pace(double dt) const {
+  if (method_ == Method::gradient) return {dt, 0, 1, dt, 1};
+  const double span = method_ == Method::verlet ? 0.5 * dt : dt;
+  return {dt, 1, span, span, std::exp(-scene_.damping * span)};
+}
+
+// The kick from the forces at x_, and where `drifts` the pull of the multipliers and the move after it: all
+// in one pass, as memory is what it costs.
+void Motion::kick(const Pace& pace, bool drifts) {
   const std::span<const energy::VertexLine> lines = terms_.lines();
   energy::VolumeGradient& volume = terms_.volume_gradient();
-  volume.set_multipliers(pressures_);
   const bool free = errors_.empty() || paper_ != nullptr;
+  if (!free) volume.set_multipliers(pressures_, multipliers_);
   const bool pushed = !pushes_.empty();
-  const double kept = std::exp(-scene_.damping * dt);
-  damped_ = 0;
+  double kinetic = 0;
+  double damped = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
-    const Vec3 force = free ? -lines[v].gradient : volume.pull(v) - lines[v].gradient;
-    Vec3 velocity = v_[v] + (dt * weights_[v]) * force;
-    if (pushed && weights_[v] != 0) {
-      velocity += dt * pushes_[v];
-      work_ += 0.5 * dt * masses_[v] * dot(pushes_[v], velocity + v_[v]);
+    const double weight = weights_[v];
+    const auto [pressure, impulse] = free ? std::pair<Vec3, Vec3>{} : volume.pulls(v);
+    Vec3 velocity = pace.carried * v_[v] + (pace.push * weight) * (pressure - lines[v].gradient);
+    if (pushed && weight != 0) {
+      velocity += pace.push * pushes_[v];
+      const Vec3 mean = pace.carried > 0 ? 0.5 * (velocity + v_[v]) : velocity;
+      work_ += pace.span * masses_[v] * dot(pushes_[v], mean);
     }
-    next_v_[v] = kept * velocity;
-    damped_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+    velocity = pace.kept * velocity;
+    damped += 0.5 * masses_[v] * squared_length(velocity);
+    if (drifts) {
+      velocity += weight * impulse;
+      next_x_[v] = x_[v] + pace.dt * velocity;
+      kinetic += 0.5 * masses_[v] * squared_length(velocity);
+    }
+    next_v_[v] = velocity;
   }
-  damped_ *= 1 / (kept * kept) - 1;
+  next_kinetic_ = kinetic;
+  damped_ = damped * (1 / (pace.kept * pace.kept) - 1);
 }
 
 // Velocities with the pull of the multipliers, and the move with them.
@@ -161,8 +182,8 @@ void Motion::stiffen() {
 // Pressures push a film around without moving it as a whole; where sets are held that do not answer, what is
 // missing is given to all alike, which changes no volume. A film that something holds keeps no momentum.
 void Motion::give_back_momentum(double dt) {
-  const bool is_held = std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; });
-  if (held_.empty() || is_held || !terms_.constraints().empty()) return;
+  if (held_.empty() || !terms_.constraints().empty()) return;
+  if (std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; })) return;
   const Vec3 missing = kicked_momentum_ - evolution::balance(next_x_, next_v_, masses_).momentum;
   const Vec3 shift = missing / mass_;
   next_kinetic_ = 0;
@@ -170,22 +191,6 @@ void Motion::give_back_momentum(double dt) {
     next_v_[v] += shift;
     next_x_[v] += dt * shift;
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
-  }
-}
-
-// The velocities of the gradient flow.
-void Motion::descend(double dt) {
-  const std::span<const energy::VertexLine> lines = terms_.lines();
-  energy::VolumeGradient& volume = terms_.volume_gradient();
-  volume.set_multipliers(pressures_);
-  const bool free = errors_.empty() || paper_ != nullptr;
-  damped_ = 0;
-  for (std::size_t v = 0; v < x_.size(); ++v) {
-    next_v_[v] = weights_[v] * ((free ? Vec3{} : volume.pull(v)) - lines[v].gradient);
-    if (!pushes_.empty() && weights_[v] != 0) {
-      next_v_[v] += pushes_[v];
-      work_ += dt * masses_[v] * dot(pushes_[v], next_v_[v]);
-    }
   }
 }
 
@@ -250,8 +255,8 @@ bool Motion::second_kick(double dt) {
 
 // Velocities that keep the volumes at next_x_.
 bool Motion::settle_velocities(double dt) {
-  terms_.volume_gradient().gram(answers_, gram_values_);
-  if (!gram_.factorise(gram_values_)) return false;
+  terms_.volume_gradient().gram(answers_, products_.gram);
+  if (!gram_.factorise(products_.gram)) return false;
   project_velocities(dt);
   return true;
 }
@@ -296,15 +301,24 @@ bool Motion::propose(double dt) {
     watch_.lap(times_.forces);
     return solved;
   }
-  if (method_ == Method::gradient) {
-    descend(dt);
-  } else {
-    kick(method_ == Method::verlet ? 0.5 * dt : dt);
+  const Pace pace = this->pace(dt);
+  const bool imposes = !errors_.empty() && paper_ == nullptr;
+  if (held_.empty()) {
+    if (imposes) foresee_volumes(pace);
+    watch_.lap(times_.volumes);
+    kick(pace, true);
+    watch_.lap(times_.other);
+    return true;
   }
+  kick(pace, false);
   stiffen();
-  if (!held_.empty()) kicked_momentum_ = evolution::balance(next_x_, next_v_, masses_).momentum;
+  kicked_momentum_ = evolution::balance(next_x_, next_v_, masses_).momentum;
   watch_.lap(times_.other);
-  if (!errors_.empty() && paper_ == nullptr) impose_volumes(dt);
+  if (imposes) {
+    terms_.volume_gradient().dot(ones_, next_v_, errors_);
+    impose_volumes(dt);
+    terms_.volume_gradient().set_multipliers(multipliers_);
+  }
   watch_.lap(times_.volumes);
   drift(dt);
   watch_.lap(times_.other);

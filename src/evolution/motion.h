@@ -98,9 +98,17 @@ class Motion {
   bool linearise();
   void weigh();
   bool propose(double dt);
-  void kick(double dt);
+  // How a step changes velocities: kept * (carried * v + push * acceleration).
+  struct Pace {
+    double dt = 0;
+    double carried = 0;
+    double push = 0;
+    double span = 0;  // the time for which outer forces act
+    double kept = 1;  // by damping
+  };
+  Pace pace(double dt) const;
+  void kick(const Pace& pace, bool drifts);
   void drift(double dt);
-  void descend(double dt);
   void stiffen();
   void give_back_momentum(double dt);
   bool second_kick(double dt);
@@ -114,6 +122,7 @@ class Motion {
   // In motion_volumes.cpp.
   double target(std::size_t row, double time) const;
   double smallest_target() const;
+  void foresee_volumes(const Pace& pace);
   void impose_volumes(double dt);
   void project_velocities(double dt);
   void correct(double dt);
@@ -133,9 +142,9 @@ class Motion {
   VolumeMemory memory_;
   std::unique_ptr<PaperCorrection> paper_;
   std::unique_ptr<ImplicitSolver> implicit_;
-  std::vector<double> gram_values_;
+  energy::VolumeGradient::Products products_;  // of the gradients with v_ and with what accelerates it at x_
   std::vector<double> masses_;
-  std::vector<double> ones_;
+  std::vector<double> ones_;     // where volumes are kept of sets that are held
   std::vector<double> weights_;  // inverse masses, 0 for vertices that stay
   std::vector<double> answers_;  // the same to volumes that are to be made good
   std::vector<Vec3> x_;

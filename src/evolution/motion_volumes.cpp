@@ -38,16 +38,25 @@ double Motion::pressure_span(double dt) const {
   return method_ == Method::verlet ? 0.5 * dt * dt : dt * dt;
 }
 
-// Velocities that bring the volumes to their targets in one step, as far as can be foreseen.
+// The rates at which the kick that is to come will change volumes, from the products at x_; then what mends
+// them.
+void Motion::foresee_volumes(const Pace& pace) {
+  terms_.volume_gradient().multiply_gram(products_.gram, pressures_, errors_);
+  for (std::size_t i = 0; i < errors_.size(); ++i) {
+    const double acceleration = products_.second[i] + errors_[i];
+    errors_[i] = pace.kept * (pace.carried * products_.first[i] + pace.push * acceleration);
+  }
+  impose_volumes(pace.dt);
+}
+
+// Multipliers for velocities that bring the volumes to their targets in one step, as far as can be foreseen.
+// `errors_` holds the rates at which volumes would change without them.
 void Motion::impose_volumes(double dt) {
-  energy::VolumeGradient& volume = terms_.volume_gradient();
-  volume.dot(ones_, next_v_, errors_);
   for (std::size_t i = 0; i < errors_.size(); ++i) {
     foreseen_[i] = target(i, scene_.time + dt) - memory_.expected(i, dt);
     errors_[i] = (foreseen_[i] - present_[i]) / dt - errors_[i];
   }
   gram_.solve(errors_, multipliers_, solved_to * smallest_target() / dt);
-  volume.set_multipliers(multipliers_);
   for (std::size_t i = 0; i < multipliers_.size(); ++i)
     next_pressures_[i] += multipliers_[i] * dt / pressure_span(dt);
 }
