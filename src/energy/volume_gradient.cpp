@@ -284,15 +284,29 @@ void VolumeGradient::dot(std::span<const double> weights, std::span<const Vec3> 
   }
 }
 
-// The share of a border vertex in the products.
-void VolumeGradient::multiply_border(const Border& border, double weight, const std::pair<Vec3, Vec3>& fields,
+// The sums over neighbouring vertices inside one film.
+void VolumeGradient::add_run(const Pair& pair, double square, double first, double second,
+                             Products& products) {
+  const auto add = [&](int row, int entry, double sign) {
+    if (row < 0) return;
+    products.gram[static_cast<std::size_t>(entry)] += square;
+    products.first[static_cast<std::size_t>(row)] += sign * first;
+    products.second[static_cast<std::size_t>(row)] += sign * second;
+  };
+  add(pair.high, pair.entry_high, 1);
+  add(pair.low, pair.entry_low, -1);
+  if (pair.entry_mixed >= 0) products.gram[static_cast<std::size_t>(pair.entry_mixed)] -= square;
+}
+
+// The share of a border vertex.
+void VolumeGradient::multiply_border(const Border& border, double weight, const Vec3& a, const Vec3& b,
                                      Products& products) const {
   const int* entry = border_entries_.data() + border.first_entry;
   for (std::uint32_t s = border.first; s < border.last; ++s) {
     const Vec3& gradient = slots_[s].gradient;
     const auto row = static_cast<std::size_t>(slots_[s].row);
-    products.first[row] += film::dot(gradient, fields.first);
-    products.second[row] += film::dot(gradient, fields.second);
+    products.first[row] += film::dot(gradient, a);
+    products.second[row] += film::dot(gradient, b);
     const Vec3 weighted = weight * gradient;
     for (std::uint32_t t = border.first; t <= s; ++t)
       products.gram[static_cast<std::size_t>(*entry++)] += film::dot(weighted, slots_[t].gradient);

@@ -5,6 +5,7 @@
 // list of their own, refreshed by a pass over the few triangles that touch them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <tuple>
@@ -15,6 +16,7 @@
 #include "energy/open_rim.h"
 #include "energy/sweep.h"
 #include "energy/vertex_constraints.h"
+#include "film/blocks.h"
 #include "film/film.h"
 
 namespace lamella::energy {
@@ -59,16 +61,18 @@ class VolumeGradient {
   void dot(std::span<const double> weights, std::span<const Vec3> field, std::span<double> result) const;
   // Holds the multipliers of the rows for calls of `pull`, until the next call.
   void set_multipliers(std::span<const double> multipliers);
-  // What the motion of a film asks of every vertex, in one pass over them: G w G^T, and for two fields a and
-  // b the sums over vertices of gradient_i . a and gradient_i . b. `fields(v)` is called once for each
-  // vertex, in order, and returns both.
+  // What the motion of a film asks of every vertex, in one pass over them: G w G^T, for two fields a and b
+  // the sums over vertices of gradient_i . a and gradient_i . b, and the largest of a number. `fields(v)`
+  // returns the three.
   struct Products {
     std::vector<double> gram;
     std::vector<double> first;
     std::vector<double> second;
+    double largest = 0;
   };
-  template <class Fields>
-  void multiply(std::span<const double> weights, Fields&& fields, Products& products) const;
+  using Fields = std::tuple<Vec3, Vec3, double>;
+  template <class Function>
+  void multiply(std::span<const double> weights, const Function& fields, Products& products) const;
   // The matrix in the pattern's order times a vector.
   void multiply_gram(std::span<const double> values, std::span<const double> vector,
                      std::span<double> result) const;
@@ -168,7 +172,11 @@ class VolumeGradient {
   Vec3 border_pull(const Border& border) const;
   std::pair<Vec3, Vec3> border_pulls(const Border& border) const;
   void factor_pairs(std::span<const double> multipliers, std::vector<double>& factors) const;
-  void multiply_border(const Border& border, double weight, const std::pair<Vec3, Vec3>& fields,
+  template <class Function>
+  void multiply_rows(std::size_t begin, std::size_t end, std::span<const double> weights,
+                     const Function& fields, Products& products) const;
+  static void add_run(const Pair& pair, double square, double first, double second, Products& products);
+  void multiply_border(const Border& border, double weight, const Vec3& a, const Vec3& b,
                        Products& products) const;
   void find_borders(const film::Film& film, std::span<const int> row_of_region,
                     std::span<const FieldEdge> contents, std::span<const FixedRow> fixed);
@@ -196,8 +204,9 @@ class VolumeGradient {
 };
 
 // Inner vertices of one film mostly follow each other, so their sums are kept until the film changes.
-template <class Fields>
-void VolumeGradient::multiply(std::span<const double> weights, Fields&& fields, Products& products) const {
+template <class Function>
+void VolumeGradient::multiply_rows(std::size_t begin, std::size_t end, std::span<const double> weights,
+                                   const Function& fields, Products& products) const {
   products.gram.assign(pattern_.size(), 0.0);
   products.first.assign(static_cast<std::size_t>(rows_), 0.0);
   products.second.assign(static_cast<std::size_t>(rows_), 0.0);
@@ -205,21 +214,14 @@ void VolumeGradient::multiply(std::span<const double> weights, Fields&& fields, 
   double square = 0;
   double first = 0;
   double second = 0;
+  double largest = 0;
   const auto flush = [&] {
-    if (run == none) return;
-    const Pair& pair = pairs_[run];
-    for (const auto& [row, entry, sign] :
-         {std::tuple(pair.high, pair.entry_high, 1.0), std::tuple(pair.low, pair.entry_low, -1.0)}) {
-      if (row < 0) continue;
-      products.gram[static_cast<std::size_t>(entry)] += square;
-      products.first[static_cast<std::size_t>(row)] += sign * first;
-      products.second[static_cast<std::size_t>(row)] += sign * second;
-    }
-    if (pair.entry_mixed >= 0) products.gram[static_cast<std::size_t>(pair.entry_mixed)] -= square;
+    if (run != none) add_run(pairs_[run], square, first, second, products);
     square = first = second = 0;
   };
-  for (std::size_t v = 0; v < weights.size(); ++v) {
-    const std::pair<Vec3, Vec3> at = fields(v);
+  for (std::size_t v = begin; v < end; ++v) {
+    const auto [a, b, number] = fields(v);
+    largest = std::max(largest, number);
     const std::uint32_t place = rows_ > 0 ? place_of_vertex_[v] : none;
     if (place < pairs_.size()) {
       if (place != run) {
@@ -228,13 +230,41 @@ void VolumeGradient::multiply(std::span<const double> weights, Fields&& fields, 
       }
       const Vec3& vector = area_vector(v);
       square += weights[v] * squared_length(vector);
-      first += film::dot(vector, at.first);
-      second += film::dot(vector, at.second);
+      first += film::dot(vector, a);
+      second += film::dot(vector, b);
     } else if (place != none) {
-      multiply_border(borders_[place - pairs_.size()], weights[v], at, products);
+      multiply_border(borders_[place - pairs_.size()], weights[v], a, b, products);
     }
   }
   flush();
+  products.largest = largest;
+}
+
+// Blocks side by side, where their sums are few beside the vertices.
+template <class Function>
+void VolumeGradient::multiply(std::span<const double> weights, const Function& fields,
+                              Products& products) const {
+  const std::size_t vertices = weights.size();
+  const std::size_t sums = pattern_.size() + 2 * static_cast<std::size_t>(rows_);
+  if (vertices < film::rows_worth_threads || vertices < film::block_count * sums) {
+    multiply_rows(0, vertices, weights, fields, products);
+    return;
+  }
+  std::vector<Products> parts(film::block_count);
+#pragma omp parallel for schedule(static)
+  for (std::size_t b = 0; b < film::block_count; ++b) {
+    multiply_rows(b * vertices / film::block_count, (b + 1) * vertices / film::block_count, weights, fields,
+                  parts[b]);
+  }
+  products = parts[0];
+  for (std::size_t b = 1; b < film::block_count; ++b) {
+    products.largest = std::max(products.largest, parts[b].largest);
+    for (std::size_t i = 0; i < products.gram.size(); ++i) products.gram[i] += parts[b].gram[i];
+    for (std::size_t i = 0; i < products.first.size(); ++i) {
+      products.first[i] += parts[b].first[i];
+      products.second[i] += parts[b].second[i];
+    }
+  }
 }
 
 }  // namespace lamella::energy

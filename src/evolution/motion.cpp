@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "evolution/masses.h"
+#include "film/blocks.h"
 
 namespace lamella::evolution {
 
@@ -93,16 +94,15 @@ bool Motion::linearise() {
   forces_.advance(scene_.time);
   pushed_soundly_ = forces_.empty() || forces_.evaluate(x_, v_, lines, scene_.time, pushes_);
   const bool pushed = !pushes_.empty();
-  double stiffest = 0;
   terms_.volume_gradient().multiply(
       answers_,
       [&](std::size_t v) {
-        stiffest = std::max(stiffest, lines[v].stiffness * weights_[v]);
         Vec3 acceleration = -weights_[v] * lines[v].gradient;
         if (pushed && weights_[v] != 0) acceleration += pushes_[v];
-        return std::pair(v_[v], acceleration);
+        return energy::VolumeGradient::Fields(v_[v], acceleration, lines[v].stiffness * weights_[v]);
       },
       products_);
+  const double stiffest = products_.largest;
   const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
   bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;
   if (!pushed_soundly_ || !std::isfinite(energy_)) return false;
@@ -118,39 +118,46 @@ Motion::Pace Motion::pace(double dt) const {
 // The kick from the forces at x_, and where `drifts` the pull of the multipliers and the move after it: all
 // in one pass, as memory is what it costs.
 void Motion::kick(const Pace& pace, bool drifts) {
-  const std::span<const energy::VertexLine> lines = terms_.lines();
   energy::VolumeGradient& volume = terms_.volume_gradient();
-  const bool free = errors_.empty() || paper_ != nullptr;
-  if (!free) volume.set_multipliers(pressures_, multipliers_);
+  if (!is_free()) volume.set_multipliers(pressures_, multipliers_);
+  const KickSums sums = film::sum_of_blocks(
+      x_.size(), [&](std::size_t first, std::size_t last) { return kick_rows(pace, drifts, first, last); });
+  next_kinetic_ = sums.kinetic;
+  work_ += sums.work;
+  damped_ = sums.kicked * (1 / (pace.kept * pace.kept) - 1);
+}
+
+Motion::KickSums Motion::kick_rows(const Pace& pace, bool drifts, std::size_t first, std::size_t last) {
+  const std::span<const energy::VertexLine> lines = terms_.lines();
+  const energy::VolumeGradient& volume = terms_.volume_gradient();
+  const bool free = is_free();
   const bool pushed = !pushes_.empty();
-  double kinetic = 0;
-  double damped = 0;
-  for (std::size_t v = 0; v < x_.size(); ++v) {
+  KickSums sums;
+  for (std::size_t v = first; v < last; ++v) {
     const double weight = weights_[v];
     const auto [pressure, impulse] = free ? std::pair<Vec3, Vec3>{} : volume.pulls(v);
     Vec3 velocity = pace.carried * v_[v] + (pace.push * weight) * (pressure - lines[v].gradient);
     if (pushed && weight != 0) {
       velocity += pace.push * pushes_[v];
       const Vec3 mean = pace.carried > 0 ? 0.5 * (velocity + v_[v]) : velocity;
-      work_ += pace.span * masses_[v] * dot(pushes_[v], mean);
+      sums.work += pace.span * masses_[v] * dot(pushes_[v], mean);
     }
     velocity = pace.kept * velocity;
-    damped += 0.5 * masses_[v] * squared_length(velocity);
+    sums.kicked += 0.5 * masses_[v] * squared_length(velocity);
     if (drifts) {
       velocity += weight * impulse;
       next_x_[v] = x_[v] + pace.dt * velocity;
-      kinetic += 0.5 * masses_[v] * squared_length(velocity);
+      sums.kinetic += 0.5 * masses_[v] * squared_length(velocity);
     }
     next_v_[v] = velocity;
   }
-  next_kinetic_ = kinetic;
-  damped_ = damped * (1 / (pace.kept * pace.kept) - 1);
+  return sums;
 }
 
 // Velocities with the pull of the multipliers, and the move with them.
 void Motion::drift(double dt) {
   const energy::VolumeGradient& volume = terms_.volume_gradient();
-  const bool free = errors_.empty() || paper_ != nullptr;
+  const bool free = is_free();
   next_kinetic_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
     if (!free) next_v_[v] += answers_[v] * volume.pull(v);
@@ -302,9 +309,8 @@ bool Motion::propose(double dt) {
     return solved;
   }
   const Pace pace = this->pace(dt);
-  const bool imposes = !errors_.empty() && paper_ == nullptr;
   if (held_.empty()) {
-    if (imposes) foresee_volumes(pace);
+    if (!is_free()) foresee_volumes(pace);
     watch_.lap(times_.volumes);
     kick(pace, true);
     watch_.lap(times_.other);
@@ -314,7 +320,7 @@ bool Motion::propose(double dt) {
   stiffen();
   kicked_momentum_ = evolution::balance(next_x_, next_v_, masses_).momentum;
   watch_.lap(times_.other);
-  if (imposes) {
+  if (!is_free()) {
     terms_.volume_gradient().dot(ones_, next_v_, errors_);
     impose_volumes(dt);
     terms_.volume_gradient().set_multipliers(multipliers_);
@@ -336,11 +342,13 @@ Ending Motion::step(double dt) {
   watch_.lap(times_.volumes);
   const double energy = terms_.gradient(next_x_);
   watch_.lap(times_.forces);
-  if (one_pass_ && missed_too_far(dt)) {
+  if ((one_pass_ || relies_on_sweep_) && missed_too_far(dt)) {
     undo(Ending::volume_lost);
-    memory_.distrust();
+    if (one_pass_) memory_.distrust();
+    distrusts_rate_ = !one_pass_;
     return step(dt);
   }
+  distrusts_rate_ = false;
   const bool centred = method_ == Method::verlet || method_ == Method::midpoint;
   if (centred && !second_kick(dt)) return undo(Ending::not_finite);
   if (method_ == Method::gradient) {

@@ -107,7 +107,22 @@ class Motion {
     double kept = 1;  // by damping
   };
   Pace pace(double dt) const;
+  // Sums over vertices of the work of outer forces and of energies of motion: after the kick, and at the end.
+  struct KickSums {
+    double work = 0;
+    double kicked = 0;
+    double kinetic = 0;
+    KickSums& operator+=(const KickSums& other) {
+      work += other.work;
+      kicked += other.kicked;
+      kinetic += other.kinetic;
+      return *this;
+    }
+  };
   void kick(const Pace& pace, bool drifts);
+  KickSums kick_rows(const Pace& pace, bool drifts, std::size_t first, std::size_t last);
+  // Whether volumes play no part in forces.
+  bool is_free() const { return errors_.empty() || paper_ != nullptr; }
   void drift(double dt);
   void stiffen();
   void give_back_momentum(double dt);
@@ -168,8 +183,9 @@ class Motion {
   double damped_ = 0;  // energy that damping takes in it
   double bound_ = 0;
   double mass_ = 0;
-  double pass_rate_ = 1;   // how much of a volume error a correction leaves
-  bool one_pass_ = false;  // the step being made does not look at its volumes
+  bool one_pass_ = false;         // the step being made does not look at its volumes
+  bool relies_on_sweep_ = false;  // or not after the last correction
+  bool distrusts_rate_ = false;   // that has failed: the step is being made again
   StepTimes times_;
   Stopwatch watch_;
   bool sound_ = false;

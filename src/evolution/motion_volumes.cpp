@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "evolution/motion.h"
+#include "film/blocks.h"
 
 namespace lamella::evolution {
 
@@ -10,10 +11,13 @@ namespace {
 
 constexpr int most_volume_passes = 8;
 constexpr double volume_tolerance = 1e-12;  // relative
-// The volumes need no second look after a pass that leaves less than this by its expected rate.
-constexpr double most_left_unseen = 2e-12;
-constexpr double solved_to = 2e-13;  // relative, where systems are solved by iteration
-constexpr double safety = 30;        // rates vary from step to step
+// The volumes need no second look after a pass that leaves less than this by its expected rate; rates vary
+// from step to step. Where the sweep at the end of the step tells, and it may be made again, more is risked.
+constexpr double most_left_unseen = 2e-12 / 30;
+constexpr double most_left_to_the_sweep = 5e-11 / 3;
+// Where systems are solved by iteration: relative, and as parts of what the next pass finds anyway.
+constexpr double solved_to = 2e-13;
+constexpr double part_of_next = 0.03;
 // The next step goes without a look at its volumes if the last one missed them by less than this.
 constexpr double missed_little = 2e-11;
 // A step that has missed them by more is made again, with a look.
@@ -56,7 +60,10 @@ void Motion::impose_volumes(double dt) {
     foreseen_[i] = target(i, scene_.time + dt) - memory_.expected(i, dt);
     errors_[i] = (foreseen_[i] - present_[i]) / dt - errors_[i];
   }
-  gram_.solve(errors_, multipliers_, solved_to * smallest_target() / dt);
+  const double looked_for = std::isfinite(memory_.miss()) && memory_.miss() > missed_little
+                                ? std::max(solved_to, part_of_next * memory_.miss())
+                                : solved_to;
+  gram_.solve(errors_, multipliers_, looked_for * smallest_target() / dt);
   for (std::size_t i = 0; i < multipliers_.size(); ++i)
     next_pressures_[i] += multipliers_[i] * dt / pressure_span(dt);
 }
@@ -80,13 +87,16 @@ void Motion::project_velocities(double dt) {
 void Motion::correct(double dt) {
   energy::VolumeGradient& volume = terms_.volume_gradient();
   volume.set_multipliers(multipliers_);
-  next_kinetic_ = 0;
-  for (std::size_t v = 0; v < x_.size(); ++v) {
-    const Vec3 shift = answers_[v] * volume.pull(v);
-    next_x_[v] += shift;
-    next_v_[v] += shift / dt;
-    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
-  }
+  next_kinetic_ = film::sum_of_blocks(x_.size(), [&](std::size_t first, std::size_t last) {
+    double kinetic = 0;
+    for (std::size_t v = first; v < last; ++v) {
+      const Vec3 shift = answers_[v] * volume.pull(v);
+      next_x_[v] += shift;
+      next_v_[v] += shift / dt;
+      kinetic += 0.5 * masses_[v] * squared_length(next_v_[v]);
+    }
+    return kinetic;
+  });
   for (std::size_t i = 0; i < errors_.size(); ++i) next_pressures_[i] += multipliers_[i] / pressure_span(dt);
 }
 
@@ -104,10 +114,13 @@ bool Motion::look_at_volumes(double dt, double& worst) {
 
 bool Motion::keep_volumes(double dt) {
   if (volume_mode_ == VolumeMode::paper) return correct_as_paper(dt);
+  relies_on_sweep_ = false;
   one_pass_ =
       !is_implicit(method_) && (volume_mode_ == VolumeMode::lagged ||
                                 (volume_mode_ == VolumeMode::automatic && memory_.miss() < missed_little));
   if (one_pass_) return true;
+  relies_on_sweep_ = volume_mode_ == VolumeMode::automatic && !distrusts_rate_ && !is_implicit(method_);
+  const double unseen = relies_on_sweep_ ? most_left_to_the_sweep : most_left_unseen;
   double before = 0;
   for (int pass = 0; pass < most_volume_passes; ++pass) {
     double worst = 0;
@@ -116,10 +129,11 @@ bool Motion::keep_volumes(double dt) {
       for (std::size_t i = 0; i < errors_.size(); ++i) reached_[i] = target(i, scene_.time + dt) - errors_[i];
     }
     if (worst < volume_tolerance) return true;
-    gram_.solve(errors_, multipliers_, solved_to * smallest_target());
+    if (before > 0) memory_.note_rate(worst / before);
+    const double left = worst * memory_.rate();
+    gram_.solve(errors_, multipliers_, std::max(solved_to, part_of_next * left) * smallest_target());
     correct(dt);
-    if (before > 0) pass_rate_ = worst / before;
-    if (safety * worst * pass_rate_ < most_left_unseen) return true;
+    if (left < unseen) return true;
     before = worst;
   }
   return false;

@@ -8,7 +8,7 @@ namespace lamella::evolution {
 namespace {
 
 constexpr const char* column_name = "volume_defect";
-constexpr int width = 3;  // last, before, miss
+constexpr int width = 4;  // last, before, miss, rate: the last the same for all
 constexpr double smooth_slope = 0.3;
 constexpr double failed =
     1e-8;  // stands for a miss that made a step fail: nine halvings until it is forgotten
@@ -22,7 +22,10 @@ VolumeMemory::VolumeMemory(const scene::Scene& scene, std::vector<film::Region> 
   const bool known = column != nullptr && column->width == width;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const std::uint32_t body = regions_[i].index - 1;
-    if (known) rows_[i] = {column->value(body, 0), column->value(body, 1), column->value(body, 2)};
+    if (known) {
+      rows_[i] = {column->value(body, 0), column->value(body, 1), column->value(body, 2)};
+      if (column->value(body, 3) > 0) rate_ = column->value(body, 3);
+    }
     if (rows_[i].last == 0 && rows_[i].before == 0) rows_[i].miss = HUGE_VAL;
   }
   finish();
@@ -64,6 +67,7 @@ void VolumeMemory::store(scene::Scene& scene) const {
     column->set(body, 0, rows_[i].last);
     column->set(body, 1, rows_[i].before);
     column->set(body, 2, std::isfinite(rows_[i].miss) ? rows_[i].miss : 0);
+    column->set(body, 3, rate_);
   }
 }
 

@@ -1,6 +1,7 @@
 // What a step leaves of the volumes beyond first order, remembered so that the next can allow for it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "film/ids.h"
@@ -29,6 +30,10 @@ class VolumeMemory {
   // After the notes of all rows.
   void finish();
 
+  // How much of an error a correction leaves, 1 where that is not known.
+  double rate() const { return rate_; }
+  void note_rate(double rate) { rate_ = std::min(rate, 1.0); }
+
   void store(scene::Scene& scene) const;
 
  private:
@@ -40,6 +45,7 @@ class VolumeMemory {
   std::vector<film::Region> regions_;
   std::vector<Row> rows_;
   double miss_ = 0;
+  double rate_ = 1;
 };
 
 }  // namespace lamella::evolution

@@ -24,16 +24,17 @@ void for_each_block(std::size_t count, Function&& function) {
     function(b * count / block_count, (b + 1) * count / block_count);
 }
 
-// The sum of what function(first, last) returns.
+// The sum of what function(first, last) returns: a number, or whatever has a 0 and can be added up.
 template <class Function>
-double sum_of_blocks(std::size_t count, Function&& function) {
+auto sum_of_blocks(std::size_t count, Function&& function) {
+  using Sum = decltype(function(count, count));
   if (count < rows_worth_threads) return function(std::size_t{0}, count);
-  std::array<double, block_count> parts;
+  std::array<Sum, block_count> parts;
 #pragma omp parallel for schedule(static)
   for (std::size_t b = 0; b < block_count; ++b)
     parts[b] = function(b * count / block_count, (b + 1) * count / block_count);
-  double sum = 0;
-  for (const double part : parts) sum += part;
+  Sum sum{};
+  for (const Sum& part : parts) sum += part;
   return sum;
 }
 

@@ -33,6 +33,9 @@ struct GramSolver::Work {
   std::vector<double*> place;          // of each pattern entry in `sparse`
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> sparse_factor;
 
+  // For iterations: both triangles, so that a row's product is one sum.
+  Eigen::SparseMatrix<double, Eigen::RowMajor> whole;
+  std::vector<std::array<double*, 2>> place_in_whole;
   Eigen::VectorXd inverse_diagonal;
 
   bool is_dense() const { return rows <= most_dense_rows; }
@@ -54,7 +57,15 @@ GramSolver::GramSolver(int rows, const std::vector<energy::GramEntry>& pattern, 
   work_->sparse.setFromTriplets(triplets.begin(), triplets.end());
   for (const energy::GramEntry& entry : pattern)
     work_->place.push_back(&work_->sparse.coeffRef(entry.row, entry.column));
-  if (!work_->iterates) work_->sparse_factor.analyzePattern(work_->sparse);
+  if (!work_->iterates) {
+    work_->sparse_factor.analyzePattern(work_->sparse);
+    return;
+  }
+  work_->whole = work_->sparse.selfadjointView<Eigen::Lower>();
+  for (const energy::GramEntry& entry : pattern) {
+    work_->place_in_whole.push_back(
+        {&work_->whole.coeffRef(entry.row, entry.column), &work_->whole.coeffRef(entry.column, entry.row)});
+  }
 }
 
 GramSolver::~GramSolver() = default;
@@ -79,10 +90,15 @@ bool GramSolver::factorise(std::span<const double> values) {
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     const bool idle = w.pattern[i].row == w.pattern[i].column && values[i] == 0;
-    *w.place[i] = idle ? 1.0 : values[i];
+    const double value = idle ? 1.0 : values[i];
+    if (w.iterates) {
+      *w.place_in_whole[i][0] = *w.place_in_whole[i][1] = value;
+    } else {
+      *w.place[i] = value;
+    }
   }
   if (w.iterates) {
-    w.inverse_diagonal = w.sparse.diagonal().cwiseInverse();
+    w.inverse_diagonal = w.whole.diagonal().cwiseInverse();
     return w.inverse_diagonal.allFinite() && w.inverse_diagonal.minCoeff() > 0;
   }
   w.sparse_factor.factorize(w.sparse);
@@ -94,8 +110,8 @@ bool GramSolver::factorise(std::span<const double> values) {
 namespace {
 
 // Conjugate gradients preconditioned by the diagonal, from 0: callers give what is left after a good guess.
-Eigen::VectorXd iterate(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& inverse_diagonal,
-                        Eigen::VectorXd residual, double left) {
+Eigen::VectorXd iterate(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix,
+                        const Eigen::VectorXd& inverse_diagonal, Eigen::VectorXd residual, double left) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(residual.size());
   Eigen::VectorXd scaled = inverse_diagonal.cwiseProduct(residual);
   Eigen::VectorXd direction = scaled;
@@ -104,7 +120,7 @@ Eigen::VectorXd iterate(const Eigen::SparseMatrix<double>& lower, const Eigen::V
   const double enough = iterated_to * iterated_to * product;
   for (Eigen::Index i = 0; i < residual.size() && product > 0; ++i) {
     if (left > 0 ? residual.lpNorm<Eigen::Infinity>() <= left : product <= enough) break;
-    image.noalias() = lower.selfadjointView<Eigen::Lower>() * direction;
+    image.noalias() = matrix * direction;
     const double length = product / direction.dot(image);
     result += length * direction;
     residual -= length * image;
@@ -125,7 +141,7 @@ void GramSolver::solve(std::span<const double> right, std::span<double> multipli
   if (w.is_dense()) {
     result = w.dense_factor.solve(vector_of(right));
   } else if (w.iterates) {
-    result = iterate(w.sparse, w.inverse_diagonal, vector_of(right), enough);
+    result = iterate(w.whole, w.inverse_diagonal, vector_of(right), enough);
   } else {
     result = w.sparse_factor.solve(vector_of(right));
   }
