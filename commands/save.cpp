@@ -26,6 +26,9 @@ void run(Session& session, const SaveOptions& options) {
     throw options.file ? error.placed_at(options.file->place) : error;
   }
   session.tell("saved as {}\n", path);
+  const std::optional<scene::Air>& air = session.scene().forces.air;
+  if (air && air->velocity)
+    session.warn("the flow of the air is not saved: a run that goes on from the file begins with still air");
 }
 
 }  // namespace

@@ -14,14 +14,16 @@ trap 'rm -rf "$scratch"' EXIT
 
 # A bubble that swings in mode 2, of 1536 facets unless told otherwise.
 swing='relax; kick (0.1*(x-0.5), 0.1*(y-0.5), -0.2*(z-0.5))'
+# Less, as its triangles are not drawn out in ten periods.
+small_swing='relax; kick (0.02*(x-0.5), 0.02*(y-0.5), -0.04*(z-0.5))'
 places='foreach vertex vv do printf "%.17g %.17g %.17g\n", vv.x, vv.y, vv.z'
 
-# plot NAME "settings" "columns": a picture of manual/dynamics/NAME.csv, a curve for each of its first words
+# plot NAME "settings" "columns" [PICTURE]: a picture of manual/dynamics/NAME.csv, a curve for each of its first words
 plot() {
   names=$(awk -F, 'NR > 1 && !seen[$1]++ { printf "%s ", $1 }' "manual/dynamics/$1.csv")
   {
     echo "set terminal svg size 800,560 dynamic background 'white' noenhanced"
-    echo "set output 'manual/pictures/$1.svg'"
+    echo "set output 'manual/pictures/${4:-$1}.svg'"
     echo "set datafile separator ','; set key outside right; set grid; set logscale xy; $2"
     printf 'plot '
     first=1
@@ -35,22 +37,23 @@ plot() {
   } | gnuplot
 }
 
-# Error of the places at time 1 (half a period) against Verlet with a tenth of its shortest step, over CPU seconds.
+# Error of the places after one period against Verlet with a tenth of its shortest step, over CPU seconds and over
+# the step.
 accuracy() {
-  time=1
+  time=1.95
   run() {  # METHOD STEPS: places into $scratch/places, seconds on standard output
     "$program" -q datafiles/cube.fe -e "refine 3; $swing; start := clock;
       evolve $2 dt=$time/$2 method=$1 volumes=exact keep_mesh; printf \"%g\n\", clock-start; $places" >"$scratch/out" || return 1
     sed -n 1p "$scratch/out"
     sed 1d "$scratch/out" >"$scratch/places"
   }
-  run verlet 16000 >/dev/null
+  run verlet 32000 >/dev/null
   mv "$scratch/places" "$scratch/exact"
   echo "method,steps,dt,seconds,error" >manual/dynamics/accuracy.csv
   for method in euler verlet implicit midpoint; do
     case $method in
-      euler | verlet) counts="50 100 200 400 800 1600" ;;
-      *) counts="5 10 20 40 80 160" ;;
+      euler | verlet) counts="100 200 400 800 1600 3200" ;;
+      *) counts="5 10 20 40 80 160 320" ;;
     esac
     for steps in $counts; do
       seconds=$(run $method $steps) || continue
@@ -59,7 +62,8 @@ accuracy() {
       echo "$method,$steps,$(awk "BEGIN { print $time/$steps }"),$seconds,$error" >>manual/dynamics/accuracy.csv
     done
   done
-  plot accuracy "set xlabel 'processor time, s'; set ylabel 'error of the places at time 1'" 4:5
+  plot accuracy "set xlabel 'processor time, s'; set ylabel 'error of the places after a period'" 4:5
+  plot accuracy "set xlabel 'error of the places after a period'; set ylabel 'step'" 5:3 steps_at_error
 }
 
 # Largest departure of the total energy in 10 periods, in parts of the energy that swings, over the step.
@@ -68,10 +72,10 @@ drift() {
   for method in euler verlet implicit midpoint; do
     case $method in
       euler | verlet) steps="0.02 0.01 0.005 0.0025" ;;
-      *) steps="0.16 0.08 0.04" ;;
+      *) steps="0.16 0.08 0.04 0.02" ;;
     esac
     for dt in $steps; do
-      "$program" -q datafiles/cube.fe -e "refine 3; relax; rest := total_energy; $swing; evolve 1 dt=1e-9;
+      "$program" -q datafiles/cube.fe -e "refine 3; relax; rest := total_energy; $small_swing; evolve 1 dt=1e-9;
         whole := total_energy + kinetic_energy - rest; log \"$scratch/log.csv\"; evolve ceil(19.5/$dt) dt=$dt method=$method keep_mesh;
         printf \"%.12g %.12g\n\", rest, whole" >"$scratch/whole" || continue
       departure=$(awk -F, -v text="$(cat "$scratch/whole")" 'BEGIN { split(text, w, " ") }
@@ -100,29 +104,42 @@ volumes() {
   cat manual/dynamics/volumes.csv
 }
 
-# Predicted bound against the largest step that survives.
+# Predicted bound against the largest step that survives: each scene as it is and refined once, at its tension and at
+# four times that; implicit methods on coarser ones.
 bounds() {
   echo "scene,method,facets,tension,bound,largest,ratio,failure" >manual/dynamics/bounds.csv
-  try() {  # NAME FILE COMMANDS METHODS
-    "$program" -q "$2" -e "$3; stability \"$scratch/chart.svg\" methods=\"$4\"" >/dev/null 2>"$scratch/message" || { cat "$scratch/message"; return 0; }
-    sed 1d "$scratch/chart.csv" | sed "s/^/$1,/" >>manual/dynamics/bounds.csv
+  try() {  # NAME FILE COMMANDS OPTIONS
+    "$program" -q "$2" -e "$3; stability \"$scratch/chart.svg\" $4" >/dev/null 2>"$scratch/message" || { cat "$scratch/message"; return 0; }
+    sed 1d "$scratch/chart.csv" | sed "s/^/$1,/" | tee -a manual/dynamics/bounds.csv
   }
-  fast="euler,gradient"
-  try cubic_bubble datafiles/cube.fe "refine 3; relax" $fast
-  try cubic_bubble datafiles/cube.fe "refine 2; relax" implicit,midpoint
-  try cubic_bubble_unrelaxed datafiles/cube.fe "refine 3" $fast
-  try double_bubble datafiles/double_bubble.fe "refine 3; relax" $fast
-  try double_bubble datafiles/double_bubble.fe "refine 2; relax" implicit,midpoint
-  try catenoid_rings datafiles/moving_rings.fe "refine 3; relax" $fast
-  try catenoid_rings datafiles/moving_rings.fe "refine 2; relax" implicit,midpoint
-  try frame datafiles/wire_cube.fe "refine 3; relax" $fast
-  try frame datafiles/wire_cube.fe "refine 2; relax" implicit,midpoint
-  try six_bubbles datafiles/six_bubbles.fe "refine; relax 40" $fast
-  try slivers datafiles/cube.fe "refine 3; relax; set vertices x 0.5+0.1*(x-0.5) where z > 0.5; vc" $fast
-  try high_valence datafiles/motion/high_valence.fe "vc off" $fast
-  try obtuse datafiles/wire_cube.fe "refine 2; relax; shake 0.25" verlet
-  try obtuse_three_steps_relaxed datafiles/wire_cube.fe "refine 2; relax; shake 0.05; relax 3 keep_mesh" verlet
-  cat manual/dynamics/bounds.csv
+  fast='methods="euler,verlet,gradient" levels=2 tensions=2'
+  slow='methods="implicit,midpoint"'
+  both() {  # NAME FILE COMMANDS COARSER_COMMANDS
+    try "$1" "$2" "$3" "$fast"
+    try "$1" "$2" "$4" "$slow"
+  }
+  both cubic_bubble datafiles/cube.fe "refine 2; relax" "refine 2; relax"
+  both double_bubble datafiles/double_bubble.fe "refine 2; relax" "refine 1; relax"
+  both catenoid_rings datafiles/moving_rings.fe "refine 2; relax" "refine 2; relax"
+  both frame datafiles/wire_cube.fe "refine 2; relax" "refine 2; relax"
+  both bubble_in_frame datafiles/bubble_in_frame.fe "refine 2; relax" "refine 1; relax"
+  both six_bubbles datafiles/six_bubbles.fe "refine; relax" "refine; relax"
+  both slivers datafiles/cube.fe "refine 2; relax; set vertices x 0.5+0.1*(x-0.5) where z > 0.5; vc" "refine 2; relax; set vertices x 0.5+0.1*(x-0.5) where z > 0.5; vc"
+  both high_valence datafiles/motion/high_valence.fe "vc off" "vc off"
+  both obtuse datafiles/wire_cube.fe "refine 2; relax; shake 0.25" "refine 2; relax; shake 0.25"
+  both obtuse_relaxed datafiles/wire_cube.fe "refine 2; relax; shake 0.25; relax 3 keep_mesh" "refine 2; relax; shake 0.25; relax 3 keep_mesh"
+  names=$(awk -F, 'NR > 1 && !seen[$1]++ { printf "%s ", $1 }' manual/dynamics/bounds.csv)
+  {
+    echo "set terminal svg size 800,560 dynamic background 'white' noenhanced"
+    echo "set output 'manual/pictures/bounds.svg'"
+    echo "set datafile separator ','; set key outside right; set grid; set logscale xy"
+    echo "set xlabel 'predicted bound'; set ylabel 'largest step that survives'"
+    printf "plot x with lines linecolor 'black' title 'equal', x/0.75 with lines dashtype 2 linecolor 'black' title '4/3 of it'"
+    for name in $names; do
+      printf ", '< grep -E \"^%s,(euler|verlet|gradient),\" manual/dynamics/bounds.csv' using 5:6 with points pointtype 7 pointsize 0.6 title '%s'" "$name" "$name"
+    done
+    echo
+  } | gnuplot
 }
 
 # Nanoseconds a facet of processor time of a step, least of five.

@@ -284,6 +284,18 @@ void VolumeGradient::dot(std::span<const double> weights, std::span<const Vec3> 
   }
 }
 
+VolumeGradient::Products& VolumeGradient::Products::operator+=(const Products& other) {
+  const auto add = [](std::vector<double>& sum, const std::vector<double>& more) {
+    if (sum.empty()) sum.resize(more.size());
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
+  };
+  add(gram, other.gram);
+  add(first, other.first);
+  add(second, other.second);
+  largest = std::max(largest, other.largest);
+  return *this;
+}
+
 // The sums over neighbouring vertices inside one film.
 void VolumeGradient::add_run(const Pair& pair, double square, double first, double second,
                              Products& products) {

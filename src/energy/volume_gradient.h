@@ -16,7 +16,6 @@
 #include "energy/open_rim.h"
 #include "energy/sweep.h"
 #include "energy/vertex_constraints.h"
-#include "film/blocks.h"
 #include "film/film.h"
 
 namespace lamella::energy {
@@ -61,18 +60,20 @@ class VolumeGradient {
   void dot(std::span<const double> weights, std::span<const Vec3> field, std::span<double> result) const;
   // Holds the multipliers of the rows for calls of `pull`, until the next call.
   void set_multipliers(std::span<const double> multipliers);
-  // What the motion of a film asks of every vertex, in one pass over them: G w G^T, for two fields a and b
-  // the sums over vertices of gradient_i . a and gradient_i . b, and the largest of a number. `fields(v)`
-  // returns the three.
+  // What the motion of a film asks of the vertices, in one pass over them: G w G^T, for two fields a and b
+  // the sums over vertices of gradient_i . a and gradient_i . b, and the largest of a number.
   struct Products {
     std::vector<double> gram;
     std::vector<double> first;
     std::vector<double> second;
     double largest = 0;
+    Products& operator+=(const Products& other);
   };
   using Fields = std::tuple<Vec3, Vec3, double>;
+  // Of the vertices from `begin` to before `end`; `fields(v)` returns a, b and the number.
   template <class Function>
-  void multiply(std::span<const double> weights, const Function& fields, Products& products) const;
+  void multiply(std::size_t begin, std::size_t end, std::span<const double> weights, const Function& fields,
+                Products& products) const;
   // The matrix in the pattern's order times a vector.
   void multiply_gram(std::span<const double> values, std::span<const double> vector,
                      std::span<double> result) const;
@@ -172,9 +173,6 @@ class VolumeGradient {
   Vec3 border_pull(const Border& border) const;
   std::pair<Vec3, Vec3> border_pulls(const Border& border) const;
   void factor_pairs(std::span<const double> multipliers, std::vector<double>& factors) const;
-  template <class Function>
-  void multiply_rows(std::size_t begin, std::size_t end, std::span<const double> weights,
-                     const Function& fields, Products& products) const;
   static void add_run(const Pair& pair, double square, double first, double second, Products& products);
   void multiply_border(const Border& border, double weight, const Vec3& a, const Vec3& b,
                        Products& products) const;
@@ -205,8 +203,8 @@ class VolumeGradient {
 
 // Inner vertices of one film mostly follow each other, so their sums are kept until the film changes.
 template <class Function>
-void VolumeGradient::multiply_rows(std::size_t begin, std::size_t end, std::span<const double> weights,
-                                   const Function& fields, Products& products) const {
+void VolumeGradient::multiply(std::size_t begin, std::size_t end, std::span<const double> weights,
+                              const Function& fields, Products& products) const {
   products.gram.assign(pattern_.size(), 0.0);
   products.first.assign(static_cast<std::size_t>(rows_), 0.0);
   products.second.assign(static_cast<std::size_t>(rows_), 0.0);
@@ -238,33 +236,6 @@ void VolumeGradient::multiply_rows(std::size_t begin, std::size_t end, std::span
   }
   flush();
   products.largest = largest;
-}
-
-// Blocks side by side, where their sums are few beside the vertices.
-template <class Function>
-void VolumeGradient::multiply(std::span<const double> weights, const Function& fields,
-                              Products& products) const {
-  const std::size_t vertices = weights.size();
-  const std::size_t sums = pattern_.size() + 2 * static_cast<std::size_t>(rows_);
-  if (vertices < film::rows_worth_threads || vertices < film::block_count * sums) {
-    multiply_rows(0, vertices, weights, fields, products);
-    return;
-  }
-  std::vector<Products> parts(film::block_count);
-#pragma omp parallel for schedule(static)
-  for (std::size_t b = 0; b < film::block_count; ++b) {
-    multiply_rows(b * vertices / film::block_count, (b + 1) * vertices / film::block_count, weights, fields,
-                  parts[b]);
-  }
-  products = parts[0];
-  for (std::size_t b = 1; b < film::block_count; ++b) {
-    products.largest = std::max(products.largest, parts[b].largest);
-    for (std::size_t i = 0; i < products.gram.size(); ++i) products.gram[i] += parts[b].gram[i];
-    for (std::size_t i = 0; i < products.first.size(); ++i) {
-      products.first[i] += parts[b].first[i];
-      products.second[i] += parts[b].second[i];
-    }
-  }
 }
 
 }  // namespace lamella::energy

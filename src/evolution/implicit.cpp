@@ -46,6 +46,7 @@ void ImplicitSolver::add_inertia(const ImplicitStart& start, double per_push, do
 
 bool ImplicitSolver::euler(const ImplicitStart& start, std::span<Vec3> moves, std::span<double> pressures) {
   const double dt = start.dt;
+  system_.hessian().take_convex(true);
   if (!linearise(start.x, start.time, 1 / (dt * dt))) return false;
   std::fill(moves.begin(), moves.end(), Vec3{});
   add_inertia(start, 1, 1 / dt, 0, moves);

@@ -23,9 +23,12 @@ struct ImplicitStart {
 // The symbolic factorisation is made once and lives as long as the connectivity.
 //
 // Linearly implicit Euler, after D. Baraff and A. Witkin, "Large steps in cloth simulation", SIGGRAPH 98:
-// with H the Hessian of energy - sum p V at the start,
+// with H the Hessian of the films' Dirichlet energy at the start, which lies above that of their area,
 //
 //   (m/dt^2 + H) u - G^T p' = m v/dt + m f - g,   G u = V_target - V(x),   x' = x + u,   v' = u/dt.
+//
+// The exact Hessian is negative along the film where triangles are drawn out; with it, steps of whatever
+// length gain energy without limit once that has happened.
 //
 // Implicit midpoint, forces of the energy and directions of the volume gradients taken at x + u/2:
 //

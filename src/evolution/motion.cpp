@@ -94,14 +94,22 @@ bool Motion::linearise() {
   forces_.advance(scene_.time);
   pushed_soundly_ = forces_.empty() || forces_.evaluate(x_, v_, lines, scene_.time, pushes_);
   const bool pushed = !pushes_.empty();
-  terms_.volume_gradient().multiply(
-      answers_,
-      [&](std::size_t v) {
-        Vec3 acceleration = -weights_[v] * lines[v].gradient;
-        if (pushed && weights_[v] != 0) acceleration += pushes_[v];
-        return energy::VolumeGradient::Fields(v_[v], acceleration, lines[v].stiffness * weights_[v]);
-      },
-      products_);
+  const auto fields = [&](std::size_t v) {
+    Vec3 acceleration = -weights_[v] * lines[v].gradient;
+    if (pushed && weights_[v] != 0) acceleration += pushes_[v];
+    return energy::VolumeGradient::Fields(v_[v], acceleration, lines[v].stiffness * weights_[v]);
+  };
+  const energy::VolumeGradient& volume = terms_.volume_gradient();
+  const std::size_t sums = volume.pattern().size() + 2 * errors_.size();
+  if (sums * film::block_count > x_.size()) {
+    volume.multiply(0, x_.size(), answers_, fields, products_);
+  } else {
+    products_ = film::sum_of_blocks(x_.size(), [&](std::size_t first, std::size_t last) {
+      energy::VolumeGradient::Products part;
+      volume.multiply(first, last, answers_, fields, part);
+      return part;
+    });
+  }
   const double stiffest = products_.largest;
   const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
   bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;

@@ -184,6 +184,7 @@ void ConstrainedHessian::add_quantities(const energy::FilmEnergy& energy, const 
 
 // The blocks of energy/triangle_hessian.h, with d the directions of corners i and j, the normal n and
 // w = pressure/6 (third corner) - tension/2 n:  s (e_i . e_j)(n . d_i)(n . d_j) + w . (d_j x d_i).
+// Those of the Dirichlet energy:  s (e_i . e_j)(d_i . d_j).
 void ConstrainedHessian::add_films(const energy::FilmEnergy& energy, const Basis& basis,
                                    std::span<const Vec3> x, std::span<const double> pressure) {
   const energy::SweepInput& input = energy.input();
@@ -201,15 +202,19 @@ void ConstrainedHessian::add_films(const energy::FilmEnergy& energy, const Basis
     const Vec3 n = inverse * doubled;
     const double s = 0.5 * tension * inverse;
     const std::array<Vec3, 3> e{p[2] - p[1], p[0] - p[2], p[1] - p[0]};
+    const auto product = [&](const Vec3& a, const Vec3& b) {
+      return convex_ ? dot(a, b) : dot(n, a) * dot(n, b);
+    };
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = next_of(i);
       const std::uint32_t first = basis.first(v[i].index);
       const std::uint32_t own = basis.first(v[i].index + 1) - first;
       const double square = s * dot(e[i], e[i]);
       for (std::uint32_t k = 0; k < own; ++k) {
-        const double along = square * dot(n, basis.direction(first + k));
+        const Vec3& dk = basis.direction(first + k);
         for (std::uint32_t l = k; l < own; ++l)
-          value(column(first + k) + static_cast<int>(l - k)) += along * dot(n, basis.direction(first + l));
+          value(column(first + k) + static_cast<int>(l - k)) +=
+              square * product(dk, basis.direction(first + l));
       }
       const int entry = triangle_entry_[t][i];
       if (entry < 0) {
@@ -221,13 +226,12 @@ void ConstrainedHessian::add_films(const energy::FilmEnergy& energy, const Basis
       const double mixed = s * dot(e[i], e[j]);
       // Seen from the edge itself, or neighbours that lie in different cells would not agree.
       const Vec3 origin = periodic ? 0.5 * (p[i] + p[j]) : input.origin;
-      const Vec3 w = push * (p[next_of(j)] - origin) - (0.5 * tension) * n;
+      const Vec3 w = convex_ ? Vec3{} : push * (p[next_of(j)] - origin) - (0.5 * tension) * n;
       for (std::uint32_t k = 0; k < own; ++k) {
         const Vec3& di = basis.direction(first + k);
-        const double along = mixed * dot(n, di);
         for (std::uint32_t l = 0; l < others; ++l) {
           const Vec3& dj = basis.direction(other + l);
-          const double h = along * dot(n, dj) + dot(w, cross(dj, di));
+          const double h = mixed * product(di, dj) + dot(w, cross(dj, di));
           if (first < other) {
             value(entry + column(first + k) - column(first) - static_cast<int>(k) + static_cast<int>(l)) += h;
           } else {

@@ -29,6 +29,11 @@ class ConstrainedHessian {
   // At the positions of the problem's last `linearise` and `descent_direction`, with its pressures; one pass
   // over the triangles.
   void assemble(const Problem& problem, const Basis& basis, std::span<const Vec3> x);
+  // From the next `assemble` on, whether films have the Hessian of their Dirichlet energy in the place of
+  // that of area and volumes. It is positive semidefinite and lies above the area's (no map has less
+  // Dirichlet energy than area, and what stays has as much), so that a linearly implicit step stays stable
+  // where triangles are drawn out; forces are not touched.
+  void take_convex(bool convex) { convex_ = convex; }
   // Takes other masses than areas, one a vertex, before a shift is set; until the next `assemble`.
   void set_mass(std::span<const double> masses, const Basis& basis);
   // Sets the shift; 0 after `assemble`.
@@ -81,6 +86,7 @@ class ConstrainedHessian {
   std::vector<int> border_entry_;                   // in the order of VolumeGradient::for_each
   std::vector<double> mass_;
   double shift_ = 0;
+  bool convex_ = false;
   std::vector<Vec3> unfolded_;  // positions in a periodic film, with those of images
 };
 

@@ -24,6 +24,17 @@ TEST(Air, CostsNothingToAFilmThatItLeavesAlone) {
   EXPECT_EQ(with.number("kinetic_energy"), without.number("kinetic_energy"));
 }
 
+// What a file does not keep is told when it is written.
+TEST(Air, ThatHasFlowedIsNotSavedInSilence) {
+  Trial trial("cube.fe");
+  const Folder folder;
+  const std::string save = "save \"" + (folder / "air.fe") + "\"";
+  trial.out("air cells 8 fan (1, 0, 0)");
+  EXPECT_FALSE(contains(trial.run(save).messages, "still air"));
+  trial.out("evolve 2");
+  EXPECT_TRUE(contains(trial.run(save).messages, "still air"));
+}
+
 TEST(Air, IsPrintedTakenBackSavedAndTurnedOff) {
   Trial trial("cube.fe");
   const Folder folder;
