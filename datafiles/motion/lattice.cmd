@@ -1,4 +1,4 @@
 // On lattice.fe or what lattice.sh writes: cubic bubbles ring and settle.
 refine 3
-damping := 1
+damping := 3
 evolve 300
