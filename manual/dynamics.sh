@@ -112,22 +112,27 @@ bounds() {
     "$program" -q "$2" -e "$3; stability \"$scratch/chart.svg\" $4" >/dev/null 2>"$scratch/message" || { cat "$scratch/message"; return 0; }
     sed 1d "$scratch/chart.csv" | sed "s/^/$1,/" | tee -a manual/dynamics/bounds.csv
   }
-  fast='methods="euler,verlet,gradient" levels=2 tensions=2'
+  fast='methods="euler,verlet,gradient" tensions=2'
   slow='methods="implicit,midpoint"'
-  both() {  # NAME FILE COMMANDS COARSER_COMMANDS
-    try "$1" "$2" "$3" "$fast"
-    try "$1" "$2" "$4" "$slow"
+  each() {  # NAME FILE BEFORE AFTER COARSE FINE: refined COARSE times for all methods, and FINE times
+    try "$1" "$2" "$3 refine $5; $4" "$fast"
+    try "$1" "$2" "$3 refine $6; $4" "$fast"
+    try "$1" "$2" "$3 refine $5; $4" "$slow"
   }
-  both cubic_bubble datafiles/cube.fe "refine 2; relax" "refine 2; relax"
-  both double_bubble datafiles/double_bubble.fe "refine 2; relax" "refine 1; relax"
-  both catenoid_rings datafiles/moving_rings.fe "refine 2; relax" "refine 2; relax"
-  both frame datafiles/wire_cube.fe "refine 2; relax" "refine 2; relax"
-  both bubble_in_frame datafiles/bubble_in_frame.fe "refine 2; relax" "refine 1; relax"
-  both six_bubbles datafiles/six_bubbles.fe "refine; relax" "refine; relax"
-  both slivers datafiles/cube.fe "refine 2; relax; set vertices x 0.5+0.1*(x-0.5) where z > 0.5; vc" "refine 2; relax; set vertices x 0.5+0.1*(x-0.5) where z > 0.5; vc"
-  both high_valence datafiles/motion/high_valence.fe "vc off" "vc off"
-  both obtuse datafiles/wire_cube.fe "refine 2; relax; shake 0.25" "refine 2; relax; shake 0.25"
-  both obtuse_relaxed datafiles/wire_cube.fe "refine 2; relax; shake 0.25; relax 3 keep_mesh" "refine 2; relax; shake 0.25; relax 3 keep_mesh"
+  squeeze='foreach vertex vv where vv.z > 0.5 do { vv.x := 0.5 + 0.1*(vv.x-0.5);
+    q := 0.62035/sqrt((vv.x-0.5)^2 + (vv.y-0.5)^2 + (vv.z-0.5)^2);
+    vv.x := 0.5 + q*(vv.x-0.5); vv.y := 0.5 + q*(vv.y-0.5); vv.z := 0.5 + q*(vv.z-0.5) }; vc; relax 3 keep_mesh'
+  each cubic_bubble datafiles/cube.fe "" relax 2 3
+  each double_bubble datafiles/double_bubble.fe "" relax 1 3
+  each catenoid_rings datafiles/moving_rings.fe "" relax 2 3
+  each frame datafiles/wire_cube.fe "" relax 2 3
+  each bubble_in_frame datafiles/bubble_in_frame.fe "" relax 1 2
+  each six_bubbles datafiles/six_bubbles.fe "" relax 1 2
+  each slivers datafiles/cube.fe "" "relax; $squeeze" 2 3
+  try high_valence datafiles/motion/high_valence.fe "vc off" "$fast"
+  try high_valence datafiles/motion/high_valence.fe "vc off" "$slow"
+  each obtuse datafiles/wire_cube.fe "" "relax; shake 0.25" 2 3
+  each obtuse_near_rest datafiles/wire_cube.fe "" "relax; shake 0.05; relax 3 keep_mesh" 2 3
   names=$(awk -F, 'NR > 1 && !seen[$1]++ { printf "%s ", $1 }' manual/dynamics/bounds.csv)
   {
     echo "set terminal svg size 800,560 dynamic background 'white' noenhanced"
