@@ -60,7 +60,7 @@ class VolumeGradient {
   void dot(std::span<const double> weights, std::span<const Vec3> field, std::span<double> result) const;
   // Holds the multipliers of the rows for calls of `pull`, until the next call.
   void set_multipliers(std::span<const double> multipliers);
-  // What the motion of a film asks of the vertices, in one pass over them: G w G^T, for two fields a and b
+  // What descent and motion ask of the vertices, in one pass over them: G w G^T, for two fields a and b
   // the sums over vertices of gradient_i . a and gradient_i . b, and the largest of a number.
   struct Products {
     std::vector<double> gram;
@@ -70,7 +70,8 @@ class VolumeGradient {
     Products& operator+=(const Products& other);
   };
   using Fields = std::tuple<Vec3, Vec3, double>;
-  // Of the vertices from `begin` to before `end`; `fields(v)` returns a, b and the number.
+  // Of the vertices from `begin` to before `end`; `fields(v)` returns a, b and the number. Of all:
+  // energy/volume_products.h.
   template <class Function>
   void multiply(std::size_t begin, std::size_t end, std::span<const double> weights, const Function& fields,
                 Products& products) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "energy/volume_products.h"
 #include "evolution/masses.h"
 #include "film/blocks.h"
 
@@ -99,17 +100,7 @@ bool Motion::linearise() {
     if (pushed && weights_[v] != 0) acceleration += pushes_[v];
     return energy::VolumeGradient::Fields(v_[v], acceleration, lines[v].stiffness * weights_[v]);
   };
-  const energy::VolumeGradient& volume = terms_.volume_gradient();
-  const std::size_t sums = volume.pattern().size() + 2 * errors_.size();
-  if (sums * film::block_count > x_.size()) {
-    volume.multiply(0, x_.size(), answers_, fields, products_);
-  } else {
-    products_ = film::sum_of_blocks(x_.size(), [&](std::size_t first, std::size_t last) {
-      energy::VolumeGradient::Products part;
-      volume.multiply(first, last, answers_, fields, part);
-      return part;
-    });
-  }
+  energy::multiply_all(terms_.volume_gradient(), answers_, fields, products_);
   const double stiffest = products_.largest;
   const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
   bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "energy/volume_products.h"
 #include "film/blocks.h"
 
 namespace lamella::solve {
@@ -66,15 +67,13 @@ Problem::Problem(const scene::Scene& scene)
     : energy_(scene),
       parameters_(scene),
       weights_(inverse_masses(scene.film)),
-      gram_(energy_.volume_gradient().rows(), energy_.volume_gradient().pattern()),
-      gram_values_(energy_.volume_gradient().pattern().size()) {
+      gram_(energy_.volume_gradient().rows(), energy_.volume_gradient().pattern()) {
   const std::size_t rows = energy_.held_values().size();
   targets_.resize(rows);
   volume_scale_.resize(rows);
   pressures_.resize(rows);
   errors_.resize(rows);
   multipliers_.resize(rows);
-  if (rows > 0) gradient_.resize(vertex_count());
   set_targets(scene);
 }
 
@@ -97,10 +96,14 @@ void Problem::set_targets(const scene::Scene& scene) {
   }
 }
 
+// The Gram matrix of what is held, and its products with the gradient of the energy, in one pass.
 bool Problem::factorise() {
-  const energy::VolumeGradient& g = energy_.volume_gradient();
-  g.gram(weights_, gram_values_);
-  return gram_.factorise(gram_values_) && (parameters_.empty() || factorise_parameters());
+  const std::span<const energy::VertexLine> lines = energy_.lines();
+  const auto fields = [&](std::size_t v) {
+    return energy::VolumeGradient::Fields(weights_[v] * lines[v].gradient, Vec3{}, 0);
+  };
+  energy::multiply_all(energy_.volume_gradient(), weights_, fields, products_);
+  return gram_.factorise(products_.gram) && (parameters_.empty() || factorise_parameters());
 }
 
 bool Problem::factorise_parameters() {
@@ -146,10 +149,6 @@ double Problem::linearise(std::span<const Vec3> x, bool& ok) {
   const double energy = energy_.gradient(x);
   ok = std::isfinite(energy);
   if (!ok) return energy;
-  const std::span<const energy::VertexLine> lines = energy_.lines();
-  film::for_each_block(gradient_.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) gradient_[v] = lines[v].gradient;
-  });
   ok = find_pressures();
   if (!ok || !energy_.constraints().touched()) return energy;
   let_go(x);
@@ -170,7 +169,7 @@ void Problem::let_go(std::span<const Vec3> x) {
 bool Problem::find_pressures() {
   if (targets_.empty()) return true;
   if (!factorise()) return false;
-  energy_.volume_gradient().dot(weights_, gradient_, errors_);
+  std::copy(products_.first.begin(), products_.first.end(), errors_.begin());
   for (std::size_t k = 0; k < parameters_.size(); ++k) {
     const double way = parameters_.scale(k) * parameters_.slope(k);
     for (std::size_t i = 0; i < errors_.size(); ++i) errors_[i] += way * parameters_.held_slope(k, i);

@@ -125,7 +125,7 @@ class Problem {
   std::vector<double> volume_scale_;  // for relative errors
   double volume_tolerance_ = 0;       // relative
   GramSolver gram_;
-  std::vector<double> gram_values_;
+  energy::VolumeGradient::Products products_;  // of the gradients of what is held with that of the energy
   // What free parameters add to the Gram matrix, G + A S A^T: the columns G^-1 A, and the inverse of
   // S^-1 + A^T G^-1 A (M. Woodbury, 1950).
   std::vector<double> solved_slopes_;
@@ -134,8 +134,6 @@ class Problem {
   std::vector<double> pressures_;
   std::vector<double> errors_;
   std::vector<double> multipliers_;
-  std::vector<Vec3>
-      gradient_;             // only while there are constraints: the field whose products give the pressures
   std::vector<Vec3> force_;  // only where one-sided constraints hold some vertex
 };
 
