@@ -24,7 +24,7 @@ plot() {
   {
     echo "set terminal svg size 800,560 dynamic background 'white' noenhanced"
     echo "set output 'manual/pictures/${4:-$1}.svg'"
-    echo "set datafile separator ','; set key outside right; set grid; set logscale xy; $2"
+    echo "set datafile separator ','; set key outside right; set grid; set logscale xy; set format '%g'; $2"
     printf 'plot '
     first=1
     for name in $names; do

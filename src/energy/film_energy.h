@@ -17,6 +17,7 @@
 #include "energy/quantity_sums.h"
 #include "energy/sweep.h"
 #include "energy/volume_gradient.h"
+#include "film/large_pages.h"
 #include "film/unfolding.h"
 #include "scene/scene.h"
 
@@ -142,7 +143,7 @@ class FilmEnergy {
   std::vector<HeavyFacet> heavy_;
   std::vector<TenseEdge> tense_;
   std::vector<double> volumes_;
-  std::vector<VertexLine> lines_;
+  std::vector<VertexLine, film::LargePages<VertexLine>> lines_;
   std::vector<film::Region> constrained_;
   std::vector<film::Region> pressurised_;
   std::vector<double> pressures_;  // of pressurised_

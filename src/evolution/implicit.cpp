@@ -10,6 +10,7 @@ namespace {
 constexpr int most_iterations = 30;
 constexpr double accurate = 1e-11;  // of the width of a facet: the last change of a move
 constexpr double most_rate = 0.9;   // by which changes have to shrink
+constexpr int most_renewals = 4;    // of the Hessian in one step
 
 }  // namespace
 
@@ -85,6 +86,7 @@ bool ImplicitSolver::midpoint(const ImplicitStart& start, std::span<Vec3> moves,
   if (!linearise(at_, start.time + 0.5 * dt, 4 / (dt * dt))) return false;
   const double width = std::sqrt(problem_.energy().area() / static_cast<double>(moves.size() + 1));
   double before = HUGE_VAL;
+  int renewals = 0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     for (std::size_t i = 0; i < moves.size(); ++i) at_[i] = start.x[i] + moves[i];
     problem_.energy().set_time(start.time + dt);
@@ -104,8 +106,12 @@ bool ImplicitSolver::midpoint(const ImplicitStart& start, std::span<Vec3> moves,
     for (std::size_t i = 0; i < pressures.size(); ++i)
       pressures[i] = problem_.pressures()[i] - 0.5 * right_[unknowns + i];
     if (change < accurate * width) return true;
-    if (!(change < most_rate * before)) return false;
-    before = change;
+    before = change < most_rate * before ? change : HUGE_VAL;
+    if (before < HUGE_VAL) continue;
+    // The Hessian has become another one.
+    if (++renewals > most_renewals || !std::isfinite(change)) return false;
+    for (std::size_t i = 0; i < moves.size(); ++i) at_[i] = start.x[i] + 0.5 * moves[i];
+    if (!linearise(at_, start.time + 0.5 * dt, 4 / (dt * dt))) return false;
   }
   return false;
 }

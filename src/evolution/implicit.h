@@ -34,7 +34,7 @@ struct ImplicitStart {
 //
 //   m (2 u/dt^2 - 2 v/dt) = G^T p - g + m f,   V(x + u) = V_target,   v' = 2 u/dt - v,
 //
-// by Newton's method with the Hessian at the foreseen midpoint.
+// by Newton's method with the Hessian at the foreseen midpoint, renewed where changes do not shrink.
 class ImplicitSolver {
  public:
   // `masses` have a row a vertex and live on. The film must be compact.

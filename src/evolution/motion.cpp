@@ -33,7 +33,7 @@ Motion::Motion(scene::Scene& scene, Method method, VolumeMode volumes)
       ones_(terms_.constrained().empty() ? 0 : scene.film.vertex_rows(), 1.0),
       weights_(scene.film.vertex_rows()),
       x_(scene.film.positions().begin(), scene.film.positions().end()),
-      v_(velocities(scene.film)),
+      v_(x_.size()),
       next_x_(x_.size()),
       next_v_(x_.size()),
       pushes_(forces_.empty() ? 0 : x_.size()),
@@ -43,6 +43,7 @@ Motion::Motion(scene::Scene& scene, Method method, VolumeMode volumes)
       foreseen_(errors_.size()),
       reached_(errors_.size()),
       next_pressures_(errors_.size()) {
+  std::ranges::copy(velocities(scene.film), v_.begin());
   for (const film::Region region : terms_.constrained()) pressures_.push_back(scene.body(region).pressure);
   energy_ = terms_.gradient(x_);
   masses_ = carried_masses(scene.film, terms_.lines());

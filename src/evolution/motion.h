@@ -11,6 +11,7 @@
 #include "evolution/paper_correction.h"
 #include "evolution/step_times.h"
 #include "evolution/volume_memory.h"
+#include "film/large_pages.h"
 #include "scene/scene.h"
 #include "solve/gram_solver.h"
 #include "solve/problem.h"
@@ -148,6 +149,8 @@ class Motion {
   void remember_volumes(double dt);
   double pressure_span(double dt) const;
 
+  using Vectors = std::vector<Vec3, film::LargePages<Vec3>>;
+
   scene::Scene& scene_;
   Method method_;
   VolumeMode volume_mode_;
@@ -162,10 +165,10 @@ class Motion {
   std::vector<double> ones_;     // where volumes are kept of sets that are held
   std::vector<double> weights_;  // inverse masses, 0 for vertices that stay
   std::vector<double> answers_;  // the same to volumes that are to be made good
-  std::vector<Vec3> x_;
-  std::vector<Vec3> v_;
-  std::vector<Vec3> next_x_;
-  std::vector<Vec3> next_v_;
+  Vectors x_;
+  Vectors v_;
+  Vectors next_x_;
+  Vectors next_v_;
   std::vector<std::vector<film::Vertex>> held_;
   Vec3 kicked_momentum_;      // where sets are held: after the kick, and to be had at the end of the step
   std::vector<Vec3> pushes_;  // accelerations by outer forces; empty without them
