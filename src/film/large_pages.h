@@ -36,12 +36,16 @@ struct LargePages {
       ::operator delete(memory, alignment);
   }
 
-  friend bool operator==(const LargePages&, const LargePages&) { return true; }
+  friend bool operator==(const LargePages&, const LargePages&) {
+    return true;
+  }
 
  private:
   static constexpr std::size_t page = std::size_t{1} << 21;
   static constexpr std::align_val_t alignment{64};
-  static bool is_large(std::size_t count) { return count * sizeof(T) >= page; }
+  static bool is_large(std::size_t count) {
+    return count * sizeof(T) >= page;
+  }
 };
 
 }  // namespace lamella::film
