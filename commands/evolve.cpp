@@ -111,7 +111,8 @@ void run(Session& session, const EvolveOptions& options) {
     note = [&](const evolution::Motion& motion, long) { log.note(scene, motion); };
   const evolution::EvolveReport report = evolution::evolve(
       scene, options.steps, size, session.monitor(), note,
-      [&](scene::Scene&, std::span<const surgery::Event> events) { tell_events(session, events); });
+      [&](scene::Scene&, std::span<const surgery::Event> events) { tell_events(session, events); },
+      &session.memory<evolution::TopologyMemory>());
   keep_times(session, report.times);
   const bool failed = report.ending != solve::Ending::step_limit && report.ending != solve::Ending::stopped &&
                       report.ending != solve::Ending::converged && report.ending != solve::Ending::collapsed;

@@ -60,13 +60,14 @@ void add(StepTimes& sum, const StepTimes& times) {
 class Walk {
  public:
   Walk(scene::Scene& scene, const StepSize& size, scene::Monitor& monitor, const AfterStep& after_step,
-       const OnEvents& on_events)
+       const OnEvents& on_events, TopologyMemory* memory)
       : scene_(scene),
         motion_(std::make_unique<Motion>(scene, size.method, size.volumes)),
         size_(size),
         monitor_(monitor),
         after_step_(after_step),
-        on_events_(on_events) {}
+        on_events_(on_events),
+        memory_(memory) {}
 
   EvolveReport run(long steps);
 
@@ -92,6 +93,7 @@ class Walk {
   scene::Monitor& monitor_;
   const AfterStep& after_step_;
   const OnEvents& on_events_;
+  TopologyMemory* memory_;
   TopologyKeeper topology_;
   Retreat retreat_;
   EvolveReport report_;
@@ -180,6 +182,7 @@ void Walk::keep_mesh() {
 // A film at rest, and sound as far as its mesh tells, is not searched for sheets that touch before it moves.
 void Walk::begin_topology() {
   if (!size_.topology || scene_.film.periodic()) return;
+  if (memory_ != nullptr) topology_.take_up(*memory_, scene_.film);
   motion_->store();
   if (topology_.begin(scene_))
     retreat_.remember(scene_, Retreat::Known::unknown);
@@ -196,7 +199,7 @@ bool Walk::can_move(const scene::Scene& scene) const {
 // Events are told while no motion stands on the scene, as whoever hears of them may change it.
 bool Walk::keep_topology(bool at_end) {
   if (!size_.topology || scene_.film.periodic()) return true;
-  if (!topology_.is_due(motion_->positions(), at_end)) return true;
+  if (!topology_.is_due(motion_->positions(), motion_->last_move(), at_end)) return true;
   Stopwatch watch;
   motion_->store();
   const std::vector<surgery::Tangle> tangles = topology_.tangles(scene_.film);
@@ -255,6 +258,7 @@ EvolveReport Walk::run(long steps) {
     report_.ending = advance(size_.fixed ? *size_.fixed : free_step(), steps);
   }
   motion_->store();
+  if (size_.topology && memory_ != nullptr) topology_.leave(*memory_, scene_.film);
   report_.bound = motion_->bound();
   report_.energy = motion_->energy();
   report_.kinetic = motion_->kinetic();
@@ -267,11 +271,11 @@ EvolveReport Walk::run(long steps) {
 }  // namespace
 
 EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor,
-                    const AfterStep& after_step, const OnEvents& on_events) {
+                    const AfterStep& after_step, const OnEvents& on_events, TopologyMemory* memory) {
   EvolveReport report;
   report.ending = start_at_targets(scene);
-  return report.ending == Ending::converged ? Walk(scene, size, monitor, after_step, on_events).run(steps)
-                                            : report;
+  if (report.ending != Ending::converged) return report;
+  return Walk(scene, size, monitor, after_step, on_events, memory).run(steps);
 }
 
 double stability_bound(const scene::Scene& scene, Method method) {

@@ -67,8 +67,11 @@ struct EvolveReport {
 using AfterStep = std::function<void(const Motion& motion, long step)>;
 // `on_events`, where given, is called when films have changed their topology, and may change the scene.
 using OnEvents = std::function<void(scene::Scene& scene, std::span<const surgery::Event> events)>;
+// `memory`, where given, spares motions that follow one another searching the whole film for films that
+// touch.
 EvolveReport evolve(scene::Scene& scene, long steps, const StepSize& size, scene::Monitor& monitor,
-                    const AfterStep& after_step = {}, const OnEvents& on_events = {});
+                    const AfterStep& after_step = {}, const OnEvents& on_events = {},
+                    TopologyMemory* memory = nullptr);
 
 // The largest step for which linear theory promises stability at the scene's present shape: 2/sqrt(max
 // s_v/m_v), with s_v the stiffness sum of the vertex (energy/sweep.h).

@@ -5,6 +5,7 @@
 
 #include "energy/volume_products.h"
 #include "evolution/masses.h"
+#include "evolution/rigid_velocity.h"
 #include "film/blocks.h"
 
 namespace lamella::evolution {
@@ -191,12 +192,16 @@ void Motion::stiffen() {
 void Motion::give_back_momentum(double dt) {
   if (held_.empty() || !terms_.constraints().empty()) return;
   if (std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; })) return;
-  const Vec3 missing = kicked_momentum_ - evolution::balance(next_x_, next_v_, masses_).momentum;
-  const Vec3 shift = missing / mass_;
+  const Balance now = evolution::balance(x_, next_v_, masses_);
+  Balance missing;
+  missing.mass = now.mass;
+  missing.momentum = kicked_.momentum - now.momentum;
+  missing.angular_momentum = kicked_.angular_momentum - now.angular_momentum;
+  const RigidVelocity shift = rigid_velocity(missing, x_, masses_, kept_by(scene_));
   next_kinetic_ = 0;
   for (std::size_t v = 0; v < next_v_.size(); ++v) {
-    next_v_[v] += shift;
-    next_x_[v] += dt * shift;
+    next_v_[v] += shift.at(x_[v]);
+    next_x_[v] += dt * shift.at(x_[v]);
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
 }
@@ -317,8 +322,8 @@ bool Motion::propose(double dt) {
     return true;
   }
   kick(pace, false);
+  kicked_ = evolution::balance(x_, next_v_, masses_);
   stiffen();
-  kicked_momentum_ = evolution::balance(next_x_, next_v_, masses_).momentum;
   watch_.lap(times_.other);
   if (!is_free()) {
     terms_.volume_gradient().dot(ones_, next_v_, errors_);
@@ -337,6 +342,8 @@ Ending Motion::step(double dt) {
   if (!propose(dt)) return undo(Ending::not_finite);
   terms_.set_time(scene_.time + dt);
   if (!keep_constraints(dt)) return undo(Ending::constraint_lost);
+  // A turn changes volumes to second order: what is left to be given back after them is next to nothing.
+  give_back_momentum(dt);
   if (!errors_.empty() && !keep_volumes(dt)) return undo(Ending::volume_lost);
   give_back_momentum(dt);
   watch_.lap(times_.volumes);
@@ -397,6 +404,12 @@ double Motion::volume_error() const {
     worst = std::max(worst, std::abs(terms_.volumes()[region.index] / target - 1));
   }
   return worst;
+}
+
+double Motion::last_move() const {
+  double most = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) most = std::max(most, squared_length(x_[v] - next_x_[v]));
+  return std::sqrt(most);
 }
 
 void Motion::store() {

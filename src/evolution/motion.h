@@ -89,6 +89,8 @@ class Motion {
 
   std::span<const Vec3> positions() const { return x_; }
   std::span<const Vec3> speeds() const { return v_; }
+  // The farthest that a vertex went in the last step that was made.
+  double last_move() const;
   double energy() const { return energy_; }
   double kinetic() const { return kinetic_; }
   double volume_error() const;
@@ -170,7 +172,7 @@ class Motion {
   Vectors next_x_;
   Vectors next_v_;
   std::vector<std::vector<film::Vertex>> held_;
-  Vec3 kicked_momentum_;      // where sets are held: after the kick, and to be had at the end of the step
+  Balance kicked_;  // where sets are held: after the kick, its momenta to be had at the end of the step
   std::vector<Vec3> pushes_;  // accelerations by outer forces; empty without them
   std::vector<double> errors_;
   std::vector<double> multipliers_;

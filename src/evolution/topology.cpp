@@ -6,6 +6,7 @@
 #include "energy/film_energy.h"
 #include "evolution/changed_mesh.h"
 #include "evolution/masses.h"
+#include "evolution/rigid_velocity.h"
 #include "film/check.h"
 #include "scene/constraint_sets.h"
 #include "surgery/sizing.h"
@@ -37,6 +38,16 @@ constexpr double most_factor = 1.1;
 
 film::Reals& reals(Film& film, const char* name) {
   return std::get<film::Reals>(film.columns(ElementKind::vertex).edit(name)->data);
+}
+
+// What the corners of a triangle have in a point of it.
+std::array<double, 3> parts_at(const std::array<Vec3, 3>& triangle, const Vec3& p) {
+  const Vec3 n = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  const double square = squared_length(n);
+  if (!(square > 0)) return {1.0 / 3, 1.0 / 3, 1.0 / 3};
+  const double second = dot(n, cross(p - triangle[0], triangle[2] - triangle[0])) / square;
+  const double third = dot(n, cross(triangle[1] - triangle[0], p - triangle[0])) / square;
+  return {1 - second - third, second, third};
 }
 
 // Volumes restored while some vertices stay where they are.
@@ -83,7 +94,7 @@ class Touched {
   // What mass the touched vertices have, and what was lost with others, spread by area.
   void spread_mass(double total) {
     energy::FilmEnergy terms(scene_);
-    terms.gradient(scene_.film.positions());
+    energy_ = terms.gradient(scene_.film.positions());
     double elsewhere = 0;
     double area = 0;
     for (std::size_t v = 0; v < flags_.size(); ++v) {
@@ -96,6 +107,19 @@ class Touched {
     for (std::size_t v = 0; v < flags_.size(); ++v) {
       if (flags_[v] != 0) masses_[v] = terms.lines()[v].area * std::max(0.0, total - elsewhere) / area;
     }
+  }
+
+  // By a turn of the whole film, where nothing holds it: it is little, and few vertices would have to turn
+  // fast for it.
+  void restore_angular_momentum(const Vec3& wanted) {
+    const Balance now = balance();
+    if (kept_by(scene_) != Kept::both_momenta || !(now.mass > 0)) return;
+    Balance missing;
+    missing.mass = now.mass;
+    missing.angular_momentum = wanted - now.angular_momentum;
+    const std::span<const Vec3> x = scene_.film.positions();
+    const RigidVelocity turn = rigid_velocity(missing, x, masses_, Kept::both_momenta);
+    for (std::size_t v = 0; v < velocities_.size(); ++v) velocities_[v] += turn.at(x[v]);
   }
 
   void restore_momentum(const Vec3& wanted) {
@@ -133,6 +157,8 @@ class Touched {
   }
 
   Balance balance() const { return evolution::balance(scene_.film.positions(), velocities_, masses_); }
+  // Potential, when masses were spread.
+  double energy() const { return energy_; }
   void store() { store_motion(scene_.film, masses_, velocities_); }
 
  private:
@@ -143,11 +169,26 @@ class Touched {
   std::vector<std::uint8_t> free_;
   std::vector<double> masses_;
   std::vector<Vec3> velocities_;
+  double energy_ = 0;
 };
 
 }  // namespace
 
 TopologyKeeper::TopologyKeeper() : proximity_(contact, list_margin) {}
+
+void TopologyKeeper::take_up(TopologyMemory& memory, const Film& film) {
+  if (memory.position_revision != film.position_revision()) return;
+  watch_ = std::move(memory.watch);
+  way_before_ = memory.way;
+  memory = {};
+}
+
+void TopologyKeeper::leave(TopologyMemory& memory, const Film& film) {
+  memory.watch = std::move(watch_);
+  memory.position_revision = film.position_revision();
+  memory.way = way_before_;
+  for (const double reach : reaches_) memory.way = std::max(memory.way, way_before_ + reach);
+}
 
 bool TopologyKeeper::begin(Scene& scene) {
   surgery::keep_sizes(scene.film);
@@ -160,7 +201,12 @@ void TopologyKeeper::note_place(const Film& film) {
   seen_.assign(film.positions().begin(), film.positions().end());
   reaches_.assign(seen_.size(), 0);
   sizes_.resize(seen_.size());
-  for (std::uint32_t v = 0; v < sizes_.size(); ++v) sizes_[v] = surgery::size_of(film, Vertex(v));
+  smallest_size_ = HUGE_VAL;
+  for (std::uint32_t v = 0; v < sizes_.size(); ++v) {
+    sizes_[v] = surgery::size_of(film, Vertex(v));
+    if (film.first_end(Vertex(v)).valid()) smallest_size_ = std::min(smallest_size_, sizes_[v]);
+  }
+  unseen_way_ = way_left_ = 0;
 }
 
 bool TopologyKeeper::is_mending_due(const Film& film) const {
@@ -174,19 +220,27 @@ bool TopologyKeeper::is_mending_due(const Film& film) const {
          (!far_out_ && surgery::is_far_out_of_band(film, options_));
 }
 
-bool TopologyKeeper::is_due(std::span<const Vec3> positions, bool at_end) {
+bool TopologyKeeper::is_due(std::span<const Vec3> positions, double largest_move, bool at_end) {
   if (seen_.size() != positions.size()) return true;
+  // Where a vertex has been in the meantime is no farther off than this from where it is.
+  const double meantime = unseen_way_ > 0 ? unseen_way_ + largest_move : 0;
+  unseen_way_ += largest_move;
+  if (!at_end && unseen_way_ < way_left_) return false;
   const double part = at_end ? look_at_end : tight_ ? look_after_tight : look_after;
-  bool due = false;
+  double farthest = 0;  // in sizes
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const double way = length(positions[v] - seen_[v]);
-    reaches_[v] = std::max(reaches_[v], way);
-    due = due || way > part * sizes_[v];
+    reaches_[v] = std::max(reaches_[v], way + meantime);
+    farthest = std::max(farthest, way / sizes_[v]);
   }
-  return due;
+  unseen_way_ = 0;
+  way_left_ = std::max(0.0, part - farthest) * smallest_size_;
+  return farthest > part;
 }
 
 std::vector<surgery::Tangle> TopologyKeeper::tangles(const Film& film) {
+  for (double& reach : reaches_) reach += way_before_;
+  way_before_ = 0;
   std::vector<surgery::Tangle> found = watch_.look(film, reaches_);
   std::fill(reaches_.begin(), reaches_.end(), 0.0);
   return found;
@@ -197,7 +251,7 @@ bool TopologyKeeper::look(Scene& scene, bool sound, bool mend) {
   Film& film = scene.film;
   if (film.periodic()) return false;
   if (!surgery::has_sizes(film)) surgery::keep_sizes(film);
-  proximity_.update(film, film.positions());
+  proximity_.update(film, watch_.cells());
   const std::vector<surgery::Contact> contacts =
       proximity_.empty() ? std::vector<surgery::Contact>{} : proximity_.contacts(film, film.positions());
   bool changed = false;
@@ -284,6 +338,7 @@ TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::Topology
   if (film::Column* mass = columns.edit("mass")) mass->inheritance.on_merge = film::Inheritance::Merge::sum;
   if (film::Column* velocity = columns.edit("velocity"))
     velocity->inheritance.on_merge = film::Inheritance::Merge::mean;
+  film.begin_rings_alike();  // a run that is continued from a file is the same run
   const Balance before = balance(scene);
   double energy = potential_energy(scene) + before.kinetic;
   Pass pass;
@@ -305,7 +360,8 @@ TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::Topology
   touched.spread_mass(before.mass);
   touched.restore_momentum(before.momentum);
   if (report.events.empty() && report.zips == 0)
-    touched.add_kinetic(energy - potential_energy(scene) - touched.balance().kinetic);
+    touched.add_kinetic(energy - touched.energy() - touched.balance().kinetic);
+  touched.restore_angular_momentum(before.angular_momentum);
   touched.store();
   pass.changed = true;
   return pass;
@@ -322,8 +378,9 @@ bool TopologyKeeper::slow_down(Scene& scene, std::span<const surgery::Contact> c
     // Surgery may have moved them since, or made them neighbours.
     const auto& corners = film.corners(facet);
     if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) continue;
-    const Vec3 gap =
-        surgery::nearest_point(film.points(facet), film.position(vertex)) - film.position(vertex);
+    const std::array<Vec3, 3> points = film.points(facet);
+    const Vec3 nearest = surgery::nearest_point(points, film.position(vertex));
+    const Vec3 gap = nearest - film.position(vertex);
     const double distance = length(gap);
     const bool is_far = distance > hard_gap * surgery::size_of(film, vertex);
     if ((is_far && !contact.wedge) || distance <= 0) continue;
@@ -332,16 +389,18 @@ bool TopologyKeeper::slow_down(Scene& scene, std::span<const surgery::Contact> c
     const auto fixed = film.columns(ElementKind::vertex).flags("fixed");
     const auto at = [&](Vertex w) { return Vec3{v[3 * w.index], v[3 * w.index + 1], v[3 * w.index + 2]}; };
     const Vec3 way = gap / distance;
-    // One impulse along the way between vertex and facet; what is fixed, or has no mass, does not move.
+    // One impulse along the way between vertex and facet, at the facet's nearest point: neither momentum is
+    // lost. What is fixed, or has no mass, does not move.
+    const std::array<double, 3> part = parts_at(points, nearest);
     const auto ease = [&](Vertex w) {
       const bool stays = m[w.index] <= 0 || (!fixed.empty() && fixed[w.index] != 0);
       return stays ? 0 : 1 / m[w.index];
     };
     Vec3 other;
     double inverse = ease(vertex);
-    for (const Vertex w : film.corners(facet)) {
-      other += at(w) / 3;
-      inverse += ease(w) / 9;
+    for (std::size_t k = 0; k < 3; ++k) {
+      other += part[k] * at(corners[k]);
+      inverse += part[k] * part[k] * ease(corners[k]);
     }
     const double approach = dot(at(vertex) - other, way);
     if (approach <= 0 || inverse <= 0) continue;
@@ -351,7 +410,7 @@ bool TopologyKeeper::slow_down(Scene& scene, std::span<const surgery::Contact> c
     };
     const double impulse = approach / inverse;
     push(vertex, -impulse * ease(vertex));
-    for (const Vertex w : film.corners(facet)) push(w, impulse * ease(w) / 3);
+    for (std::size_t k = 0; k < 3; ++k) push(corners[k], impulse * part[k] * ease(corners[k]));
     slowed = true;
   }
   return slowed;

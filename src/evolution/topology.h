@@ -22,6 +22,14 @@ struct TopologyCounts {
   long refused = 0;  // passes thrown away: volumes could not be restored
 };
 
+// What one motion knows of how far a film's facets are from meeting, for the next that goes on from there. It
+// changes nothing that is done, and saves searching the whole film at the first look.
+struct TopologyMemory {
+  surgery::TangleWatch watch;
+  std::uint64_t position_revision = 0;  // of the film that it belongs to
+  double way = 0;                       // of vertices since the last look, at most
+};
+
 // What a motion keeps from step to step to know when something may have come together. A film that has moved
 // by less than a twentieth of its mesh's size since the last look is not looked at; one that lies within the
 // band, with its sheets apart, is not touched.
@@ -29,11 +37,16 @@ class TopologyKeeper {
  public:
   TopologyKeeper();
 
+  // Where the film is as the motion before left it.
+  void take_up(TopologyMemory& memory, const film::Film& film);
+  // After the end of a motion, whose end the film has been put to.
+  void leave(TopologyMemory& memory, const film::Film& film);
   // At the start of a motion: false if the mesh alone says that a look is due.
   bool begin(scene::Scene& scene);
   // Whether the film has moved so far since the last look that it is time for one; at the end of a motion
-  // that is nearly any way.
-  bool is_due(std::span<const Vec3> positions, bool at_end);
+  // that is nearly any way. No vertex has moved by more than `largest_move` since the last call: vertices are
+  // gone through only where that may have brought one of them far enough.
+  bool is_due(std::span<const Vec3> positions, double largest_move, bool at_end);
   // Where the film passes through itself, or has done since the last call; not for periodic films. A film
   // that is sound, or goes back to where it was, is watched on from there.
   std::vector<surgery::Tangle> tangles(const film::Film& film);
@@ -78,10 +91,14 @@ class TopologyKeeper {
   bool tight_ = false;  // sheets touch that cannot merge: looks are frequent then
   std::vector<Vec3> seen_;
   std::vector<double> reaches_;  // how far vertices have been from there since
+  double way_before_ = 0;        // of any vertex from the watch's last look to the start of this motion
+  double unseen_way_ = 0;        // of any vertex since they were gone through
+  double way_left_ = 0;          // and what it may be before they are again
   std::vector<Vec3> mended_;     // where the film was when all was mended that could be
   bool waits_ = false;
   bool far_out_ = false;  // and what could not is far out of its band: not tried again before it is time
   std::vector<double> sizes_;
+  double smallest_size_ = 0;
   TopologyCounts counts_;
   std::vector<surgery::Event> events_;
 };

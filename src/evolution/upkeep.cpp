@@ -1,6 +1,5 @@
 #include "evolution/upkeep.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +7,7 @@
 #include "evolution/balance.h"
 #include "evolution/changed_mesh.h"
 #include "evolution/masses.h"
+#include "evolution/rigid_velocity.h"
 #include "surgery/average.h"
 #include "surgery/equiangulate.h"
 
@@ -97,47 +97,18 @@ int flip_there(film::Film& film, const std::vector<std::uint8_t>& chosen) {
   return flips;
 }
 
-// The velocity field of a rigid body with the same momentum and angular momentum.
-struct RigidMotion {
-  Vec3 centre;
-  Vec3 velocity;
-  Vec3 turn;
-  Vec3 at(const Vec3& point) const { return velocity + cross(turn, point - centre); }
-};
-
-// Which motions a film as a whole keeps: in periodic space nothing turns.
-enum class Kept : std::uint8_t { none, momentum, both_momenta };
-
-RigidMotion rigid_motion(const Balance& whole, std::span<const Vec3> x, std::span<const double> masses,
-                         Kept kept) {
-  RigidMotion motion;
-  for (std::size_t v = 0; v < x.size(); ++v) motion.centre += (masses[v] / whole.mass) * x[v];
-  motion.velocity = whole.momentum / whole.mass;
-  if (kept == Kept::momentum) return motion;
-  const Vec3 about = whole.angular_momentum - cross(motion.centre, whole.momentum);
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (std::size_t v = 0; v < x.size(); ++v) {
-    const Eigen::Vector3d r(x[v].x - motion.centre.x, x[v].y - motion.centre.y, x[v].z - motion.centre.z);
-    inertia += masses[v] * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
-  }
-  const Eigen::Vector3d turn =
-      inertia.completeOrthogonalDecomposition().solve(Eigen::Vector3d(about.x, about.y, about.z));
-  motion.turn = {turn[0], turn[1], turn[2]};
-  return motion;
-}
-
 // Momenta and energy as before; `change` is what the potential energy rose by.
 void restore_motion(std::span<const Vec3> x, std::span<const double> masses, const Balance& before,
                     double change, Kept kept, std::vector<Vec3>& speeds) {
   if (!(before.mass > 0)) return;
   const Balance now = balance(x, speeds, masses);
-  RigidMotion wanted;
-  RigidMotion found;
+  RigidVelocity wanted;
+  RigidVelocity found;
   if (kept != Kept::none) {
     Balance moved = before;
     moved.mass = now.mass;
-    wanted = rigid_motion(moved, x, masses, kept);
-    found = rigid_motion(now, x, masses, kept);
+    wanted = rigid_velocity(moved, x, masses, kept);
+    found = rigid_velocity(now, x, masses, kept);
   }
   double rigid = 0;
   double rest = 0;
@@ -176,11 +147,7 @@ bool keep_mesh_in_motion(scene::Scene& scene, double limit) {
   }
   if (!restore_volumes(scene)) return false;
   const std::vector<double> masses = masses_after(scene, chosen);
-  const auto fixed = film.columns(film::ElementKind::vertex).flags("fixed");
-  const bool free = std::none_of(fixed.begin(), fixed.end(), [](auto flag) { return flag != 0; }) &&
-                    scene.level_sets.empty() && scene.boundaries.empty();
-  const Kept kept = !free ? Kept::none : film.periodic() ? Kept::momentum : Kept::both_momenta;
-  restore_motion(film.positions(), masses, before, potential_energy(scene) - energy, kept, speeds);
+  restore_motion(film.positions(), masses, before, potential_energy(scene) - energy, kept_by(scene), speeds);
   store_motion(film, masses, speeds);
   return true;
 }

@@ -106,20 +106,24 @@ void CrossingGrid::for_each_near(const Box& box, Function&& function) const {
 }
 
 bool CrossingGrid::crosses(std::span<const FacetShape> made, std::span<const Triangle> gone) const {
+  if (made.empty()) return false;
   for (std::size_t a = 0; a < made.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       if (shapes_cross(made[a], made[b])) return true;
     }
   }
+  // One walk through the cells for all of them: they lie side by side.
+  Box around = box_of(made[0].points);
+  for (const FacetShape& shape : made) around = joined(around, box_of(shape.points));
   bool found = false;
-  for (const FacetShape& shape : made) {
-    for_each_near(box_of(shape.points), [&](Triangle t) {
-      if (found || std::find(gone.begin(), gone.end(), t) != gone.end()) return;
-      found = shapes_cross(shape, shape_of(film_, t));
+  for_each_near(around, [&](Triangle t) {
+    if (found || std::find(gone.begin(), gone.end(), t) != gone.end()) return;
+    const FacetShape other = shape_of(film_, t);
+    found = std::any_of(made.begin(), made.end(), [&](const FacetShape& shape) {
+      return box_of(shape.points).meets(boxes_[t.index]) && shapes_cross(shape, other);
     });
-    if (found) return true;
-  }
-  return false;
+  });
+  return found;
 }
 
 std::vector<Triangle> CrossingGrid::crossing(Triangle t, std::size_t most) const {

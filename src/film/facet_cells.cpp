@@ -16,9 +16,19 @@ double longest_side(const std::array<Vec3, 3>& p) {
 
 }  // namespace
 
+FacetCells::NearBox FacetCells::rounded_outward(const Box& box, double margin) {
+  NearBox result;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    result.low[k] = std::nextafter(static_cast<float>(box.low[axis] - margin), -HUGE_VALF);
+    result.high[k] = std::nextafter(static_cast<float>(box.high[axis] + margin), HUGE_VALF);
+  }
+  return result;
+}
+
 bool FacetCells::holds(const Film& film) const {
   const std::span<const Vec3> positions = film.positions();
-  if (made_at_.size() != positions.size() || keys_.size() != film.triangle_rows()) return false;
+  if (connectivity_ != film.connectivity_revision()) return false;
   const double most = drift * drift * width_ * width_;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (!(squared_length(positions[v] - made_at_[v]) < most)) return false;
@@ -26,11 +36,13 @@ bool FacetCells::holds(const Film& film) const {
   return true;
 }
 
-void FacetCells::make(const Film& film, double margin) {
+void FacetCells::make(const Film& film) {
   const std::uint32_t count = film.triangle_rows();
   const std::span<const Vec3> positions = film.positions();
+  connectivity_ = film.connectivity_revision();
   made_at_.assign(positions.begin(), positions.end());
   keys_.resize(count);
+  near_boxes_.resize(count);
   wide_.clear();
   reach_ = 0;
   const auto points = [&](std::uint32_t t) {
@@ -49,7 +61,9 @@ void FacetCells::make(const Film& film, double margin) {
     const Box box = box_of(p);
     const Vec3 middle = 0.5 / width_ * (box.low + box.high);
     const Vec3 half = 0.5 * (box.high - box.low);
-    const double reach = std::max({half.x, half.y, half.z}) + margin * longest_side(p);
+    const double wider = margin * longest_side(p);
+    const double reach = std::max({half.x, half.y, half.z}) + wider;
+    near_boxes_[t] = rounded_outward(box, wider + drift * width_);
     const bool wide = reach > most_cells_wide * width_;
     if (!wide) reach_ = std::max(reach_, reach);
     keys_[t] = wide ? nowhere : key_of(cell(middle.x), cell(middle.y), cell(middle.z));
@@ -68,6 +82,80 @@ void FacetCells::make(const Film& film, double margin) {
   }
   for (std::size_t b = 0; b < buckets; ++b) first_[b] = first_[b + 1];
   first_[buckets] = static_cast<std::uint32_t>(entries_.size());
+}
+
+void FacetCells::sort_by_tower(std::span<const Box> boxes) {
+  asked_.resize(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    const Vec3 middle = 0.5 / width_ * (boxes[i].low + boxes[i].high);
+    asked_[i] = {key_of(cell(middle.x), cell(middle.y), cell(middle.z)), i};
+  }
+  std::sort(asked_.begin(), asked_.end(),
+            [](const Asked& a, const Asked& b) { return a.key != b.key ? a.key < b.key : a.row < b.row; });
+}
+
+void FacetCells::add_candidate(Triangle t) {
+  const NearBox& box = near_boxes_[t.index];
+  candidates_.facet.push_back(t);
+  for (std::size_t k = 0; k < 3; ++k) {
+    candidates_.low[k].push_back(box.low[k]);
+    candidates_.high[k].push_back(box.high[k]);
+  }
+}
+
+void FacetCells::gather(const Box& box) {
+  candidates_.facet.clear();
+  for (std::size_t k = 0; k < 3; ++k) {
+    candidates_.low[k].clear();
+    candidates_.high[k].clear();
+  }
+  for (const Triangle t : wide_) add_candidate(t);
+  const double reach = reach_ + drift * width_;
+  const Vec3 low = (1 / width_) * (box.low - Vec3{reach, reach, reach});
+  const Vec3 high = (1 / width_) * (box.high + Vec3{reach, reach, reach});
+  const double cells = (high.x - low.x + 1) * (high.y - low.y + 1) * (high.z - low.z + 1);
+  if (!(cells < most_cells)) {
+    for (const Entry& entry : entries_) add_candidate(entry.facet);
+    return;
+  }
+  const std::int64_t top = cell(high.z);
+  for (std::int64_t i = cell(low.x); i <= cell(high.x); ++i) {
+    for (std::int64_t j = cell(low.y); j <= cell(high.y); ++j) {
+      for (std::int64_t k = cell(low.z); k <= top; k = (k / tower + 1) * tower) {
+        const std::uint64_t lowest = key_of(i, j, k);
+        const std::uint64_t span = key_of(i, j, std::min(top, (k / tower + 1) * tower - 1)) - lowest;
+        const std::size_t bucket = bucket_of(lowest);
+        for (std::uint32_t n = first_[bucket]; n < first_[bucket + 1]; ++n) {
+          if (entries_[n].key - lowest <= span) add_candidate(entries_[n].facet);
+        }
+      }
+    }
+  }
+}
+
+std::size_t FacetCells::pick(const NearBox& box) {
+  const std::size_t count = candidates_.facet.size();
+  met_.resize(count);
+  picked_.resize(count + 1);
+  const float* const low[3] = {candidates_.low[0].data(), candidates_.low[1].data(),
+                               candidates_.low[2].data()};
+  const float* const high[3] = {candidates_.high[0].data(), candidates_.high[1].data(),
+                                candidates_.high[2].data()};
+  std::int32_t* const met = met_.data();
+  for (std::size_t n = 0; n < count; ++n) {
+    met[n] = static_cast<std::int32_t>(low[0][n] <= box.high[0]) &
+             static_cast<std::int32_t>(high[0][n] >= box.low[0]) &
+             static_cast<std::int32_t>(low[1][n] <= box.high[1]) &
+             static_cast<std::int32_t>(high[1][n] >= box.low[1]) &
+             static_cast<std::int32_t>(low[2][n] <= box.high[2]) &
+             static_cast<std::int32_t>(high[2][n] >= box.low[2]);
+  }
+  std::size_t picked = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    picked_[picked] = static_cast<std::uint32_t>(n);
+    picked += static_cast<std::size_t>(met[n]);
+  }
+  return picked;
 }
 
 }  // namespace lamella::film

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "film/box_tree.h"
@@ -17,31 +19,23 @@ class FacetCells {
  public:
   // Whether what it holds may be asked about a film as it is now.
   bool holds(const Film& film) const;
-  // Facets are widened by `margin` of their longest side.
-  void make(const Film& film, double margin);
+  void make(const Film& film);
+  // The boxes of facets are widened by this part of their longest side.
+  static constexpr double margin = 0.2;
 
-  // Calls function(Triangle) once for each facet whose box, widened by the margin, may meet another: not all
-  // do.
+  // Calls function(i, Triangle) once for each of some boxes and each facet whose widened box may meet it: not
+  // all do. Boxes that lie in one tower of cells are asked for together.
   template <class Function>
-  void for_each_near(const Box& box, Function&& function) const {
-    for (const Triangle t : wide_) function(t);
-    const double reach = reach_ + drift * width_;
-    const Vec3 low = (1 / width_) * (box.low - Vec3{reach, reach, reach});
-    const Vec3 high = (1 / width_) * (box.high + Vec3{reach, reach, reach});
-    const double cells = (high.x - low.x + 1) * (high.y - low.y + 1) * (high.z - low.z + 1);
-    if (!(cells < most_cells)) {
-      for (const Entry& entry : entries_) function(entry.facet);
-      return;
-    }
-    for (std::int64_t i = cell(low.x); i <= cell(high.x); ++i) {
-      for (std::int64_t j = cell(low.y); j <= cell(high.y); ++j) {
-        for (std::int64_t k = cell(low.z); k <= cell(high.z); ++k) {
-          const std::uint64_t key = key_of(i, j, k);
-          const std::size_t bucket = bucket_of(key);
-          for (std::uint32_t n = first_[bucket]; n < first_[bucket + 1]; ++n) {
-            if (entries_[n].key == key) function(entries_[n].facet);
-          }
-        }
+  void for_each_near(std::span<const Box> boxes, Function&& function) {
+    sort_by_tower(boxes);
+    for (std::size_t begin = 0, end = 0; begin < asked_.size(); begin = end) {
+      Box around = boxes[asked_[begin].row];
+      for (end = begin; end < asked_.size() && is_one_tower(begin, end); ++end)
+        around = joined(around, boxes[asked_[end].row]);
+      gather(around);
+      for (std::size_t n = begin; n < end; ++n) {
+        const std::size_t count = pick(rounded_outward(boxes[asked_[n].row]));
+        for (std::size_t k = 0; k < count; ++k) function(asked_[n].row, candidates_.facet[picked_[k]]);
       }
     }
   }
@@ -49,31 +43,64 @@ class FacetCells {
  private:
   static constexpr double drift = 0.25;  // of a cell, before it is made anew
   static constexpr double most_cells = 4000;
+  static constexpr std::int64_t tower = 4;  // cells one above the other that lie in one bucket
 
+  struct NearBox {
+    std::array<float, 3> low;
+    std::array<float, 3> high;
+  };
   struct Entry {
     std::uint64_t key = 0;
     Triangle facet;
   };
-  static std::int64_t cell(double x) {
-    return static_cast<std::int64_t>(std::floor(std::clamp(x, -1e6, 1e6)));
+  struct Asked {
+    std::uint64_t key = 0;
+    std::uint32_t row = 0;
+  };
+  // Facets near a tower, and their boxes in rows that are compared several at a time.
+  struct Candidates {
+    std::vector<Triangle> facet;
+    std::array<std::vector<float>, 3> low;
+    std::array<std::vector<float>, 3> high;
+  };
+  void sort_by_tower(std::span<const Box> boxes);
+  bool is_one_tower(std::size_t a, std::size_t b) const {
+    return asked_[a].key / tower == asked_[b].key / tower;
   }
-  // 21 bits each.
+  // Fills the candidates with what may meet a box.
+  void gather(const Box& box);
+  void add_candidate(Triangle t);
+  // The rows of candidates that meet a box go to picked_; returns how many.
+  std::size_t pick(const NearBox& box);
+  static NearBox rounded_outward(const Box& box, double margin = 0);
+  // None is negative. (1048576 is a multiple of the height of a tower.)
+  static std::int64_t cell(double x) {
+    return static_cast<std::int64_t>(std::floor(std::clamp(x, -1e6, 1e6))) + 1048576;
+  }
+  // 21 bits each: cells one above the other have keys that follow one another.
   static std::uint64_t key_of(std::int64_t i, std::int64_t j, std::int64_t k) {
-    const auto bits = [](std::int64_t n) { return static_cast<std::uint64_t>(n + 1048576) & 0x1fffffU; };
+    const auto bits = [](std::int64_t n) { return static_cast<std::uint64_t>(n) & 0x1fffffU; };
     return bits(i) << 42U | bits(j) << 21U | bits(k);
   }
+  // One for all cells of a tower.
   std::size_t bucket_of(std::uint64_t key) const {
-    const std::uint64_t hash = key * 0x9e3779b97f4a7c15U;
+    const std::uint64_t hash = key / tower * 0x9e3779b97f4a7c15U;
     return (hash ^ (hash >> 32U)) & (first_.size() - 2);
   }
 
+  std::uint64_t connectivity_ = 0;
   double width_ = 1;
   double reach_ = 0;  // of widened boxes from their middles, of those that are not wide
   std::vector<Vec3> made_at_;
   std::vector<std::uint64_t> keys_;   // of each facet
+  std::vector<NearBox> near_boxes_;   // of each facet, wherever it may have drifted to
   std::vector<std::uint32_t> first_;  // entry of each bucket, and one more
   std::vector<Entry> entries_;
   std::vector<Triangle> wide_;
+  std::vector<Asked> asked_;
+  Candidates candidates_;
+  std::vector<std::int32_t> met_;
+  std::vector<std::uint32_t> picked_;
 };
 
 }  // namespace lamella::film

@@ -123,9 +123,13 @@ std::array<double, 2> room_at_corner(const Film& film, Triangle a, Triangle b) {
   const Corners q = from_corner(film.points(b), k);
   const Vec3 own[2] = {p[1] - p[0], p[2] - p[0]};
   const Vec3 others[2] = {q[1] - q[0], q[2] - q[0]};
-  const Vec3 axis = unit(unit(own[0] + own[1]) - unit(others[0] + others[1]));
-  return {std::min(dot(axis, own[0]), dot(axis, own[1])),
-          -std::max(dot(axis, others[0]), dot(axis, others[1]))};
+  const Vec3 to_own = own[0] + own[1];
+  const Vec3 to_other = others[0] + others[1];
+  const Vec3 axis = length(to_other) * to_own - length(to_own) * to_other;
+  const double l = length(axis);
+  if (!(l > 0)) return {0, 0};
+  return {std::min(dot(axis, own[0]), dot(axis, own[1])) / l,
+          -std::max(dot(axis, others[0]), dot(axis, others[1])) / l};
 }
 
 std::array<double, 2> room_at_edge(const Film& film, Triangle a, Triangle b, double part) {

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "film/box_tree.h"
 #include "surgery/sizing.h"
 
 namespace lamella::surgery {
 
-using film::Box;
 using film::EdgeEnd;
 using film::Film;
 using film::Triangle;
@@ -33,22 +31,25 @@ bool faces(const Corners& triangle, const Vec3& way) {
   return std::abs(dot(n, way)) >= least_facing * length(n) * length(way);
 }
 
-// Whether a facet touches a vertex or one of its neighbours.
+// Whether facets touch a vertex or one of its neighbours, asked for one vertex after the other.
 class Ring {
  public:
-  Ring(const Film& film, Vertex v) : film_(film) {
-    near_.push_back(v);
-    film.for_each_end(v, [&](EdgeEnd end) { near_.push_back(film.head(end.outward())); });
+  explicit Ring(const Film& film) : film_(film), around_(film.vertex_rows()) {}
+  void go_to(Vertex v) {
+    if (at_ == v) return;
+    at_ = v;
+    around_[v.index] = v;
+    film_.for_each_end(v, [&](EdgeEnd end) { around_[film_.head(end.outward()).index] = v; });
   }
   bool touches(Triangle t) const {
     const auto& c = film_.corners(t);
-    return std::any_of(near_.begin(), near_.end(),
-                       [&](Vertex v) { return v == c[0] || v == c[1] || v == c[2]; });
+    return around_[c[0].index] == at_ || around_[c[1].index] == at_ || around_[c[2].index] == at_;
   }
 
  private:
   const Film& film_;
-  std::vector<Vertex> near_;
+  Vertex at_;
+  std::vector<Vertex> around_;  // the last vertex gone to that each is, or is next to
 };
 
 }  // namespace
@@ -80,43 +81,46 @@ Vec3 nearest_point(const Corners& t, const Vec3& p) {
   return t[0] + (vb / sum) * ab + (vc / sum) * ac;
 }
 
-void Proximity::update(const Film& film, std::span<const Vec3> positions) {
+void Proximity::update(const Film& film, film::FacetCells& cells) {
+  const std::span<const Vec3> positions = film.positions();
   bool stale = connectivity_ != film.connectivity_revision() || built_at_.size() != positions.size();
   for (std::size_t v = 0; v < positions.size() && !stale; ++v) {
     const double most = 0.5 * margin_ * sizes_[v];
     stale = squared_length(positions[v] - built_at_[v]) > most * most;
   }
-  if (stale) build(film, positions);
+  if (!stale) return;
+  if (!cells.holds(film)) cells.make(film);
+  build(film, cells);
 }
 
-void Proximity::build(const Film& film, std::span<const Vec3> positions) {
+void Proximity::build(const Film& film, film::FacetCells& cells) {
+  const std::span<const Vec3> positions = film.positions();
   ++builds_;
   connectivity_ = film.connectivity_revision();
   built_at_.assign(positions.begin(), positions.end());
   sizes_.resize(positions.size());
   for (std::uint32_t v = 0; v < sizes_.size(); ++v)
     sizes_[v] = film.alive(Vertex(v)) ? size_of(film, Vertex(v)) : 0;
-  std::vector<Box> boxes;
-  std::vector<Triangle> live;
-  for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
-    if (!film.alive(Triangle(i))) continue;
-    live.emplace_back(i);
-    boxes.push_back(film::box_of(corners_at(film, positions, Triangle(i))));
-  }
-  const film::BoxTree tree(boxes);
   pairs_.clear();
+  asked_.clear();
+  askers_.clear();
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
     const Vertex v(i);
     if (!film.alive(v) || !film.first_end(v).valid()) continue;
-    const double reach = (reach_ + margin_) * sizes_[i];
-    const Ring ring(film, v);
-    tree.for_each_met(film::box_of(std::span(&positions[i], 1), reach), [&](std::uint32_t b) {
-      if (ring.touches(live[b])) return;
-      const Corners t = corners_at(film, positions, live[b]);
-      const Vec3 way = positions[i] - nearest_point(t, positions[i]);
-      if (squared_length(way) < reach * reach && faces(t, way)) pairs_.push_back({v, live[b]});
-    });
+    askers_.push_back(v);
+    asked_.push_back(film::box_of(std::span(&positions[i], 1), (reach_ + margin_) * sizes_[i]));
   }
+  Ring ring(film);
+  cells.for_each_near(asked_, [&](std::uint32_t i, Triangle facet) {
+    const Vertex v = askers_[i];
+    const double reach = (reach_ + margin_) * sizes_[v.index];
+    const Vec3& at = positions[v.index];
+    ring.go_to(v);
+    if (ring.touches(facet)) return;
+    const Corners t = corners_at(film, positions, facet);
+    const Vec3 way = at - nearest_point(t, at);
+    if (squared_length(way) < reach * reach && faces(t, way)) pairs_.push_back({v, facet});
+  });
 }
 
 std::vector<Contact> Proximity::contacts(const Film& film, std::span<const Vec3> positions) const {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "film/facet_cells.h"
 #include "scene/scene.h"
 
 namespace lamella::surgery {
@@ -31,8 +32,9 @@ class Proximity {
   // Lengths in units of the size at the vertex (surgery/sizing.h).
   Proximity(double reach, double margin) : reach_(reach), margin_(margin) {}
 
-  // Makes the list anew if it belongs to another film or a vertex has moved too far.
-  void update(const film::Film& film, std::span<const film::Vec3> positions);
+  // Makes the list anew if it belongs to another film or a vertex has moved too far. `cells` are of the film
+  // as it is, or made so.
+  void update(const film::Film& film, film::FacetCells& cells);
   bool empty() const { return pairs_.empty(); }
   // Whether the list belongs to this film, not to what it was before surgery.
   bool belongs_to(const film::Film& film) const { return connectivity_ == film.connectivity_revision(); }
@@ -42,7 +44,7 @@ class Proximity {
   long builds() const { return builds_; }
 
  private:
-  void build(const film::Film& film, std::span<const film::Vec3> positions);
+  void build(const film::Film& film, film::FacetCells& cells);
 
   double reach_;
   double margin_;
@@ -50,6 +52,8 @@ class Proximity {
   std::vector<film::Vec3> built_at_;
   std::vector<double> sizes_;
   std::vector<NearPair> pairs_;
+  std::vector<film::Box> asked_;  // around vertices
+  std::vector<film::Vertex> askers_;
   long builds_ = 0;
 };
 

@@ -271,7 +271,23 @@ bool exceeds(const Film& film, const Diagonal& d, double slack) {
   return angle(d.r) + angle(d.w) > M_PI + slack;
 }
 
+// Told without angles, for all edges: that those opposite to an edge do not exceed a half turn.
+bool may_exceed(const Film& film, Edge e) {
+  const Side first = film.first_side(e);
+  const auto [p, q] = film.ends(e);
+  const auto parts = [&](Side s) {
+    const Vec3 at = film.position(film.opposite(s));
+    const Vec3 to_p = film.position(p) - at;
+    const Vec3 to_q = film.position(q) - at;
+    return std::pair(dot(to_p, to_q), length(cross(to_p, to_q)));
+  };
+  const auto [cos_first, sin_first] = parts(first);
+  const auto [cos_second, sin_second] = parts(film.next_around(first));
+  return sin_first * cos_second + cos_first * sin_second <= 0;
+}
+
 bool Remesher::flip_edge(Edge e, double slack) {
+  if (!film_.first_side(e).valid() || !may_exceed(film_, e)) return false;
   const std::optional<Diagonal> diagonal = flippable(film_, e);
   if (!diagonal || is_line(scene_, e) || !exceeds(film_, *diagonal, slack + 1e-9)) return false;
   if (!flip_is_flat(film_, *diagonal)) return false;

@@ -21,7 +21,7 @@ using film::Vertex;
 namespace {
 
 // The way that a facet gets at most, in units of its longest side.
-constexpr double longest_way = 0.2;
+constexpr double longest_way = film::FacetCells::margin;
 // Films at an edge cannot change places before the edges of a facet have changed by this part of its altitude
 // times the angle between them (at most 1 rad).
 constexpr double part_of_altitude = 0.15;
@@ -97,9 +97,17 @@ std::vector<Tangle> TangleWatch::look(const Film& film, std::span<const double> 
   spend(film, reaches);
   std::vector<Tangle> found;
   looked_at_ += static_cast<long>(stretched_.size() + moved_.size());
-  // First all get what they may have at most, so that each pair can take from both.
-  for (const Triangle t : stretched_) left_[t.index].edges = HUGE_VAL;
-  for (const Triangle t : moved_) left_[t.index].way = longest_way * longest_side(film.points(t));
+  // First all get what they may have at most, so that each pair can take from both; pairs of two that are
+  // looked at are so once.
+  due_.assign(corners_.size(), {});
+  for (const Triangle t : stretched_) {
+    left_[t.index].edges = longest_side(film.points(t));
+    due_[t.index].edges = true;
+  }
+  for (const Triangle t : moved_) {
+    left_[t.index].way = longest_way * longest_side(film.points(t));
+    due_[t.index].way = true;
+  }
   borders_.clear();
   for (const Triangle t : stretched_) look_around(film, t, found);
   std::sort(borders_.begin(), borders_.end());
@@ -113,11 +121,8 @@ std::vector<Tangle> TangleWatch::look(const Film& film, std::span<const double> 
     });
     found.push_back(std::move(part));
   }
-  if (!moved_.empty() && !cells_.holds(film)) cells_.make(film, longest_way);
-  boxes_.resize(film.triangle_rows());
-  boxed_.resize(film.triangle_rows());
-  ++call_;
-  for (const Triangle t : moved_) look_about(film, t, found);
+  if (!moved_.empty() && !cells_.holds(film)) cells_.make(film);
+  look_about(film, found);
   if (found.empty())
     last_.assign(film.positions().begin(), film.positions().end());
   else
@@ -132,12 +137,12 @@ void TangleWatch::note(const Film& film, Triangle t, Triangle other, std::vector
 
 // The facets that have a corner in common with this one.
 void TangleWatch::look_around(const Film& film, Triangle t, std::vector<Tangle>& found) {
-  left_[t.index].edges = std::min(left_[t.index].edges, longest_side(film.points(t)));
+  const auto was_compared = [&](Triangle other) { return due_[other.index].edges && other < t; };
   for (const Vertex v : film.corners(t)) {
     film.for_each_end(v, [&](EdgeEnd end) {
       film.for_each_side(end.edge(), [&](Side s) {
         // Once at each corner that they share; twice where they share two.
-        if (s.triangle() != t && film.tail(film.edge_of(s)) == v)
+        if (s.triangle() != t && film.tail(film.edge_of(s)) == v && !was_compared(s.triangle()))
           compare_at_corner(film, t, s.triangle(), found);
       });
     });
@@ -169,12 +174,18 @@ const Box& TangleWatch::box_of(const Film& film, Triangle t) {
   return boxes_[t.index];
 }
 
-// The facets near this one that have no corner in common with it.
-void TangleWatch::look_about(const Film& film, Triangle t, std::vector<Tangle>& found) {
-  const Box box = box_of(film, t);
-  cells_.for_each_near(box, [&](Triangle other) {
-    if (other != t && box_of(film, other).meets(box) &&
-        shared_corners(film.corners(t), film.corners(other)) == 0)
+// The facets near those that moved that have no corner in common with them.
+void TangleWatch::look_about(const Film& film, std::vector<Tangle>& found) {
+  asked_.clear();
+  boxes_.resize(film.triangle_rows());
+  boxed_.resize(film.triangle_rows());
+  ++call_;
+  for (const Triangle t : moved_) asked_.push_back(box_of(film, t));
+  cells_.for_each_near(asked_, [&](std::uint32_t i, Triangle other) {
+    const Triangle t = moved_[i];
+    const bool was_compared = due_[other.index].way && other < t;
+    if (other != t && !was_compared && shared_corners(film.corners(t), film.corners(other)) == 0 &&
+        box_of(film, other).meets(asked_[i]))
       compare_apart(film, t, other, found);
   });
 }

@@ -26,6 +26,8 @@ class TangleWatch {
   void before_compaction(const film::Film& film);
   // The film was put elsewhere, or it is not sound: how it came there does not count.
   void forget() { corners_.clear(); }
+  // What it finds facets by, for others who look for what is near.
+  film::FacetCells& cells() { return cells_; }
   // Facets that were looked at, over all calls.
   long looked_at() const { return looked_at_; }
 
@@ -40,7 +42,7 @@ class TangleWatch {
   void look_around(const film::Film& film, film::Triangle t, std::vector<Tangle>& found);
   void compare_at_corner(const film::Film& film, film::Triangle t, film::Triangle other,
                          std::vector<Tangle>& found);
-  void look_about(const film::Film& film, film::Triangle t, std::vector<Tangle>& found);
+  void look_about(const film::Film& film, std::vector<Tangle>& found);
   const film::Box& box_of(const film::Film& film, film::Triangle t);
   void compare_apart(const film::Film& film, film::Triangle t, film::Triangle other,
                      std::vector<Tangle>& found);
@@ -52,6 +54,11 @@ class TangleWatch {
   std::vector<Left> before_;      // at the last call that found nothing
   std::vector<film::Vec3> last_;  // where vertices were at the last call
   std::vector<double> reach_;     // how far they have been from there
+  struct Due {
+    bool edges = false;
+    bool way = false;
+  };
+  std::vector<Due> due_;  // which facets are looked at, and for what
   std::vector<film::Triangle> stretched_;
   std::vector<film::Triangle> moved_;
   std::vector<film::Edge> borders_;
@@ -59,6 +66,7 @@ class TangleWatch {
   std::vector<film::Box> boxes_;      // widened, those that were needed in this call
   std::vector<std::uint32_t> boxed_;  // the call that made them
   std::uint32_t call_ = 0;
+  std::vector<film::Box> asked_;  // of those that moved, widened
   long looked_at_ = 0;
 };
 

@@ -48,6 +48,22 @@ TEST(Save, IsACheckpointOfAMeshInMotion) {
     EXPECT_EQ(continued.number(value), whole.number(value)) << value;
 }
 
+// And where films change their topology.
+TEST(Save, IsACheckpointOfFilmsThatMerge) {
+  const std::string start = "topology on; throw; evolve 8";
+  Trial whole("two_bubbles.fe");
+  Trial saved("two_bubbles.fe");
+  const Folder folder;
+  whole.out(start + "; merges := 0; on merge { merges += 1 }; evolve 60");
+  ASSERT_EQ(whole.number("merges"), 1);
+  saved.out(start + "; save \"" + (folder / "half.fe") + "\"");
+  Trial continued;
+  continued.out("load \"" + (folder / "half.fe") + "\"; topology on; evolve 60");
+  for (const char* value : {"total_time", "total_energy", "kinetic_energy", "facet_count",
+                            "sum(vertices, x*id)", "sum(vertices, velocity[3]*id)", "sum(edges, id*length)"})
+    EXPECT_EQ(continued.number(value), whole.number(value)) << value;
+}
+
 TEST(Save, HasAliasesAndADefault) {
   Trial trial("cube.fe");
   const Folder folder;

@@ -34,7 +34,7 @@ Scene two_bubbles() {
   return scene;
 }
 
-TEST(TopologyInMotion, KeepsMomentumMassAndVolumesThroughAMerge) {
+TEST(TopologyInMotion, KeepsMomentaMassAndVolumesThroughAMerge) {
   Scene scene = two_bubbles();
   scene::Monitor monitor;
   StepSize size;
@@ -54,6 +54,7 @@ TEST(TopologyInMotion, KeepsMomentumMassAndVolumesThroughAMerge) {
     worst_volume = std::max(worst_volume, report.volume_error);
     const Balance after = balance(scene);
     EXPECT_LT(length(after.momentum - before.momentum), 1e-10 * before.mass);
+    EXPECT_LT(length(after.angular_momentum - before.angular_momentum), 1e-9 * before.mass);
     EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
   }
   EXPECT_EQ(merges, 1);

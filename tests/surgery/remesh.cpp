@@ -145,8 +145,9 @@ TEST(Merge, BallsThatTouch) {
         Scene scene = both(a, b);
         ASSERT_TRUE(film::self_intersections(scene.film).empty());
         keep_sizes(scene.film);
+        film::FacetCells cells;
         Proximity proximity(0.6, 0.5);
-        proximity.update(scene.film, scene.film.positions());
+        proximity.update(scene.film, cells);
         const auto contacts = proximity.contacts(scene.film, scene.film.positions());
         ASSERT_FALSE(contacts.empty());
         bool merged = false;
@@ -170,10 +171,11 @@ TEST(Merge, BallsThatTouch) {
 TEST(Proximity, EmptyWhereSheetsKeepApart) {
   Scene scene = both(ball({}, 3), ball({0, 0, 3}, 3));
   keep_sizes(scene.film);
+  film::FacetCells cells;
   Proximity proximity(0.15, 0.5);
-  proximity.update(scene.film, scene.film.positions());
+  proximity.update(scene.film, cells);
   EXPECT_TRUE(proximity.empty());
-  proximity.update(scene.film, scene.film.positions());
+  proximity.update(scene.film, cells);
   EXPECT_EQ(proximity.builds(), 1);
 }
 
