@@ -162,6 +162,7 @@ volumes weaire_phelan "$files/weaire_phelan.fe" 3
 volumes lattice "$work/lattice.fe" 2
 angles double_bubble 'refine 2; relax'
 angles double_bubble 'refine 3; relax'
+angles bubble_in_frame "read \"$files/motion/plateau_angles.cmd\""
 angles wire_cube 'relax levels=3'
 angles wire_cube 'relax levels=4'
 for refine in 4 5 6 7; do

@@ -43,7 +43,7 @@ constexpr std::array<KnownColumn, 20> column_table = {{
 constexpr std::array<CarriedColumn, 3> carried_table = {{
     {ElementKind::vertex, "velocity", 3, New::mean},
     {ElementKind::vertex, "mass", 1, New::blank},
-    {ElementKind::body, "volume_defect", 4, New::blank},
+    {ElementKind::body, "volume_defect", 4, New::blank, 3},
 }};
 
 constexpr std::array<AttributeWord, 27> word_table = {{

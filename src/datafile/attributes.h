@@ -32,6 +32,8 @@ struct CarriedColumn {
   std::string_view name;
   int width = 1;
   film::Inheritance::New on_new = film::Inheritance::New::blank;
+  // Files of earlier versions may have kept only the first so many of its numbers; 0 if they have not.
+  int least = 0;
 };
 
 // The motion of the vertices: velocity and mass.

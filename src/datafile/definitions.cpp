@@ -141,6 +141,8 @@ void check_carried(film::ElementKind kind, const Token& name, bool integer, cons
   if (carried == nullptr && !is_ramp) return;
   const int width = is_ramp ? ramp_width : carried->width;
   if (!integer && shape == (width == 1 ? std::vector<int>{} : std::vector{width})) return;
+  const bool earlier = carried != nullptr && carried->least > 0;
+  if (!integer && earlier && shape.size() == 1 && shape[0] >= carried->least && shape[0] < width) return;
   const std::string wanted = width == 1 ? "real" : fmt::format("real[{}]", width);
   throw text::Error(name.place, fmt::format("the {} of {} is kept as {}", key, element_plural(kind), wanted));
 }

@@ -148,6 +148,19 @@ std::string tetrahedra(const std::string& bodies) {
          bodies;
 }
 
+// What earlier versions saved had one number less.
+TEST(Bodies, TakeUpTheMemoryOfVolumesOfEarlierFiles) {
+  const scene::Scene scene = read("define body attribute volume_defect real[3]\n" +
+                                  tetrahedra("7 1 2 3 4 volume 1/6 volume_defect {1,2,3}\n"))
+                                 .scene;
+  const film::Column* const memory = scene.body_columns.find("volume_defect");
+  ASSERT_NE(memory, nullptr);
+  EXPECT_EQ(memory->width, 4);
+  EXPECT_EQ(memory->value(0, 0), 1);
+  EXPECT_EQ(memory->value(0, 2), 3);
+  EXPECT_EQ(memory->value(0, 3), 0);
+}
+
 TEST(Bodies, AreMeasured) {
   const scene::Scene scene = read(tetrahedra("7 1 2 3 4 volume 1/6\n3 -1 5 6 7 volconst 1\n")).scene;
   EXPECT_EQ(scene.bodies.size(), 2U);
