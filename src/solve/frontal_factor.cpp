@@ -8,13 +8,15 @@ namespace lamella::solve {
 
 namespace {
 
-constexpr Eigen::Index block = 48;  // columns eliminated at a time
-// Multiplications of a branch, and of all of them, from which on it pays to share them out.
-constexpr double worth_a_task = 2e5;
-constexpr double worth_threads = 5e8;
-
 using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using Index = Eigen::Index;
+
+constexpr Index block = 48;            // columns eliminated at a time
+constexpr double worth_threads = 1e8;  // multiplications, from which on it pays to share them out
+constexpr double branches = 16;        // that threads are given, or somewhat more
+// Large updates are made in strips of so many columns, side by side.
+constexpr Index strip = 96;
+constexpr Index worth_strips = 4 * strip;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -39,6 +41,26 @@ bool eliminate(Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>> a) {
   return true;
 }
 
+// The lower half of an update loses left * right^T.
+template <class Left, class Right>
+void take(Matrix& update, const Left& left, const Right& right) {
+  const Index rest = update.rows();
+  if (rest < worth_strips) {
+    update.triangularView<Eigen::Lower>() -= left * right.transpose();
+    return;
+  }
+#pragma omp taskloop grainsize(1) shared(update, left, right)
+  for (Index s = 0; s < (rest + strip - 1) / strip; ++s) {
+    const Index first = s * strip;
+    const Index width = std::min(strip, rest - first);
+    update.block(first, first, width, width).template triangularView<Eigen::Lower>() -=
+        left.middleRows(first, width) * right.middleRows(first, width).transpose();
+    const Index below = rest - first - width;
+    update.block(first + width, first, below, width).noalias() -=
+        left.bottomRows(below) * right.middleRows(first, width).transpose();
+  }
+}
+
 // Eliminates all columns of a panel; `update` loses what they take.
 bool eliminate_panel(Matrix panel, Matrix update) {
   const Index rows = panel.rows();
@@ -60,10 +82,7 @@ bool eliminate_panel(Matrix panel, Matrix update) {
       panel.block(next, next, rows - next, more).noalias() -=
           below.bottomRows(rows - next) * scaled.middleRows(next - last, more).transpose();
     }
-    if (rows > own) {
-      update.triangularView<Eigen::Lower>() -=
-          below.bottomRows(rows - own) * scaled.bottomRows(rows - own).transpose();
-    }
+    if (rows > own) take(update, below.bottomRows(rows - own), scaled.bottomRows(rows - own));
   }
   return true;
 }
@@ -165,16 +184,13 @@ void FrontalFactor::assemble(Front& front, const LowerMatrix& matrix) {
   }
 }
 
+// All below a front, and the front.
 void FrontalFactor::climb(int f, const LowerMatrix& matrix) {
-  Front& front = fronts_[at(f)];
-  // The last branch is this thread's own: in `taskwait` it would sleep while others work further down.
-  for (std::size_t i = 0; i + 1 < front.children.size(); ++i) {
-    const int child = front.children[i];
-#pragma omp task firstprivate(child) shared(matrix) if (fronts_[at(child)].work > worth_a_task)
-    climb(child, matrix);
-  }
-  if (!front.children.empty()) climb(front.children.back(), matrix);
-#pragma omp taskwait
+  for (const int child : fronts_[at(f)].children) climb(child, matrix);
+  eliminate_front(fronts_[at(f)], matrix);
+}
+
+void FrontalFactor::eliminate_front(Front& front, const LowerMatrix& matrix) {
   front.sound = true;
   assemble(front, matrix);
   const Index size = index(front.size());
@@ -184,12 +200,25 @@ void FrontalFactor::climb(int f, const LowerMatrix& matrix) {
                                      Matrix(front.update.data(), rest, rest, Eigen::OuterStride<>(rest)));
 }
 
+// Branches that are small enough go side by side, and the trunk that is left after them in their order: its
+// fronts are few and large, and shared out by themselves.
 bool FrontalFactor::factorise(const LowerMatrix& matrix) {
   if (panels_.data() == nullptr) panels_ = LargeArray(panel_size_);
+  const double most = work_ / branches;
+  const auto in_trunk = [&](const Front& front) { return front.work > most; };
 #pragma omp parallel if (work_ > worth_threads)
 #pragma omp single
-  for (std::size_t f = 0; f < fronts_.size(); ++f) {
-    if (fronts_[f].parent < 0) climb(static_cast<int>(f), matrix);
+  {
+    for (std::size_t f = fronts_.size(); f-- > 0;) {
+      const Front& front = fronts_[f];
+      if (in_trunk(front) || (front.parent >= 0 && !in_trunk(fronts_[at(front.parent)]))) continue;
+#pragma omp task firstprivate(f) shared(matrix)
+      climb(static_cast<int>(f), matrix);
+    }
+#pragma omp taskwait
+    for (Front& front : fronts_) {
+      if (in_trunk(front)) eliminate_front(front, matrix);
+    }
   }
   return std::all_of(fronts_.begin(), fronts_.end(), [](const Front& front) { return front.sound; });
 }

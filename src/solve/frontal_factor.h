@@ -53,6 +53,7 @@ class FrontalFactor {
   void find_rows(const LowerMatrix& pattern, const Dissection& pieces);
   void find_entries(const LowerMatrix& pattern, const Dissection& pieces);
   void climb(int front, const LowerMatrix& matrix);
+  void eliminate_front(Front& front, const LowerMatrix& matrix);
   void assemble(Front& front, const LowerMatrix& matrix);
 
   double* panel(const Front& front) { return panels_.data() + front.panel; }

@@ -4,6 +4,7 @@
 
 #include "energy/film_energy.h"
 #include "solve/descent.h"
+#include "solve/newton.h"
 #include "support/shapes.h"
 #include "surgery/refine.h"
 
@@ -47,6 +48,27 @@ TEST(Threads, DoNotChangeTheResult) {
   omp_set_num_threads(before);
   EXPECT_TRUE(one == two);
   EXPECT_TRUE(one == three);
+}
+
+Result newton_step(int threads) {
+  omp_set_num_threads(threads);
+  scene::Scene scene = large_film();
+  solve::Problem problem(scene);
+  solve::Newton method(problem, scene.film, solve::MotionKind::normal);
+  Result result;
+  problem.linearise_and_restore(scene.film.edit_positions(), result.energy);
+  result.energy = method.step(scene.film.edit_positions(), solve::SaddlePolicy::shift).energy;
+  result.positions.assign(scene.film.positions().begin(), scene.film.positions().end());
+  return result;
+}
+
+TEST(Threads, DoNotChangeAStepOfNewtonsMethod) {
+  const int before = omp_get_max_threads();
+  const Result one = newton_step(1);
+  const Result two = newton_step(2);
+  omp_set_num_threads(before);
+  EXPECT_TRUE(std::isfinite(one.energy));
+  EXPECT_TRUE(one == two);
 }
 
 }  // namespace
