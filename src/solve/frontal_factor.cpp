@@ -166,7 +166,7 @@ void FrontalFactor::assemble(Front& front, const LowerMatrix& matrix) {
   const std::size_t rest = front.rest();
   double* const own_columns = panel(front);
   std::fill_n(own_columns, size * own, 0.0);
-  front.update.assign(rest * rest, 0.0);
+  spare_.take(front.update, rest * rest);
   for (const auto& [entry, row, column] : front.entries)
     own_columns[at(column) * size + at(row)] += matrix.value[at(entry)];
   for (const int c : front.children) {
@@ -180,7 +180,7 @@ void FrontalFactor::assemble(Front& front, const LowerMatrix& matrix) {
       for (std::size_t i = j; i < count; ++i) to[at(child.in_parent[i]) - skip] += from[i];
     }
     front.sound = front.sound && child.sound;
-    child.update = {};
+    spare_.give(child.update);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "solve/dissection.h"
 #include "solve/large_array.h"
 #include "solve/lower_matrix.h"
+#include "solve/spare_arrays.h"
 
 namespace lamella::solve {
 
@@ -22,7 +23,10 @@ class FrontalFactor {
   FrontalFactor(const LowerMatrix& pattern, const Dissection& pieces);
 
   // Gives back the memory of the last factorisation.
-  void forget_values() { panels_ = {}; }
+  void forget_values() {
+    panels_ = {};
+    spare_.clear();
+  }
 
   // False if a pivot vanishes or is not a number.
   bool factorise(const LowerMatrix& matrix);
@@ -62,6 +66,7 @@ class FrontalFactor {
   std::vector<Front> fronts_;
   std::size_t panel_size_ = 0;  // of all panels
   LargeArray panels_;
+  SpareArrays spare_;       // updates that are not in use
   std::vector<int> order_;  // of each row in the elimination
   double work_ = 0;
 };
