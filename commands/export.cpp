@@ -1,5 +1,6 @@
 #include "exchange/export.h"
 
+#include "session/field_values.h"
 #include "session/picture_words.h"
 #include "session/session.h"
 

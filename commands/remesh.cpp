@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "session/field_values.h"
 #include "session/mesh_commands.h"
-#include "session/picture_words.h"
 #include "surgery/sizing.h"
 
 namespace lamella::session::commands {

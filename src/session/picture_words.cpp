@@ -9,7 +9,7 @@
 
 #include "picture/styles.h"
 #include "picture/view_words.h"
-#include "session/element_access.h"
+#include "session/field_values.h"
 #include "session/session.h"
 #include "session/show_filter.h"
 #include "text/suggest.h"
@@ -218,18 +218,6 @@ std::vector<std::uint8_t> drawn_facets(const Session& session, const Elements& e
 }
 
 }  // namespace
-
-std::vector<double> values_of(Session& session, const Field& field) {
-  const scene::Scene& scene = session.scene();
-  language::Evaluation& evaluation = session.evaluation();
-  std::vector<double> values(row_count(scene, field.kind), std::numeric_limits<double>::quiet_NaN());
-  for (std::uint32_t row = 0; row < values.size(); ++row) {
-    if (!is_alive(scene, field.kind, row)) continue;
-    evaluation.local(field.slot) = language::Element{field.kind, row, false};
-    values[row] = language::evaluate_number(*field.value, evaluation);
-  }
-  return values;
-}
 
 picture::View present_view(const Session& session, const std::optional<picture::View>& set) {
   return set ? *set : picture::view_of(session.scene());

@@ -49,9 +49,6 @@ struct PictureWords {
 // The picture that these words ask for, of the session's scene as it is now.
 picture::PictureOptions picture_options(Session& session, const PictureWords& words);
 
-// The values of a formula for all elements of its kind, one a row; not a number for tombstones.
-std::vector<double> values_of(Session& session, const Field& field);
-
 // The view that `view` has set, or else the one that suits the scene.
 picture::View present_view(const Session& session, const std::optional<picture::View>& set);
 

@@ -16,52 +16,48 @@ TEST(Save, WritesWhatLoadReadsBack) {
   }
 }
 
+// That a run which is saved after `start` and goes on from the file has the values of the whole one.
+void expect_checkpoint(Trial& whole, const char* scene, const std::string& start, const std::string& go_on,
+                       std::initializer_list<const char*> values) {
+  Trial saved(scene);
+  const Folder folder;
+  saved.out(start + "; save \"" + (folder / "half.fe") + "\"");
+  Trial continued;
+  continued.out("load \"" + (folder / "half.fe") + "\"; " + go_on);
+  for (const char* value : values) EXPECT_EQ(continued.number(value), whole.number(value)) << value;
+}
+
 // A run continued from a file is the run that went on, to the last bit.
 TEST(Save, IsACheckpointOfAMovingFilm) {
   const std::string start =
       "refine 3; relax; damping := 0.1; force (0, 0, -0.3*sin(3*total_time)); kick (0.2*z, 0.1*x^2, 0)"
       "; vc 1 1.3 over 0.4; evolve 40 keep_mesh";
   Trial whole("double_bubble.fe");
-  Trial saved("double_bubble.fe");
-  const Folder folder;
   whole.out(start + "; evolve 60 keep_mesh; print outer_work");
-  saved.out(start + "; save \"" + (folder / "half.fe") + "\"");
-  Trial continued;
-  continued.out("load \"" + (folder / "half.fe") + "\"; evolve 60 keep_mesh");
-  for (const char* value : {"total_time", "total_energy", "kinetic_energy", "outer_work", "body[1].pressure",
-                            "sum(vertices, x*id)", "sum(vertices, y*id)", "sum(vertices, velocity[3]*id)"})
-    EXPECT_EQ(continued.number(value), whole.number(value)) << value;
+  expect_checkpoint(whole, "double_bubble.fe", start, "evolve 60 keep_mesh",
+                    {"total_time", "total_energy", "kinetic_energy", "outer_work", "body[1].pressure",
+                     "sum(vertices, x*id)", "sum(vertices, y*id)", "sum(vertices, velocity[3]*id)"});
 }
 
 // Also where the mesh is made fit on the way, after the file was written.
 TEST(Save, IsACheckpointOfAMeshInMotion) {
   const std::string start = "refine 3; relax; kick (0.5*z, 0.3*x^2, 0); evolve 300";
   Trial whole("double_bubble.fe");
-  Trial saved("double_bubble.fe");
-  const Folder folder;
   whole.out(start + "; evolve 100");
-  saved.out(start + "; save \"" + (folder / "half.fe") + "\"");
-  Trial continued;
-  continued.out("load \"" + (folder / "half.fe") + "\"; evolve 100");
-  for (const char* value : {"total_time", "total_energy", "kinetic_energy", "sum(vertices, x*id)",
-                            "sum(vertices, velocity[3]*id)", "sum(edges, id*length)"})
-    EXPECT_EQ(continued.number(value), whole.number(value)) << value;
+  expect_checkpoint(whole, "double_bubble.fe", start, "evolve 100",
+                    {"total_time", "total_energy", "kinetic_energy", "sum(vertices, x*id)",
+                     "sum(vertices, velocity[3]*id)", "sum(edges, id*length)"});
 }
 
 // And where films change their topology.
 TEST(Save, IsACheckpointOfFilmsThatMerge) {
   const std::string start = "topology on; throw; evolve 8";
   Trial whole("two_bubbles.fe");
-  Trial saved("two_bubbles.fe");
-  const Folder folder;
   whole.out(start + "; merges := 0; on merge { merges += 1 }; evolve 60");
   ASSERT_EQ(whole.number("merges"), 1);
-  saved.out(start + "; save \"" + (folder / "half.fe") + "\"");
-  Trial continued;
-  continued.out("load \"" + (folder / "half.fe") + "\"; topology on; evolve 60");
-  for (const char* value : {"total_time", "total_energy", "kinetic_energy", "facet_count",
-                            "sum(vertices, x*id)", "sum(vertices, velocity[3]*id)", "sum(edges, id*length)"})
-    EXPECT_EQ(continued.number(value), whole.number(value)) << value;
+  expect_checkpoint(whole, "two_bubbles.fe", start, "topology on; evolve 60",
+                    {"total_time", "total_energy", "kinetic_energy", "facet_count", "sum(vertices, x*id)",
+                     "sum(vertices, velocity[3]*id)", "sum(edges, id*length)"});
 }
 
 TEST(Save, HasAliasesAndADefault) {

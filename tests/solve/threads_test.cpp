@@ -26,49 +26,46 @@ struct Result {
   friend bool operator==(const Result&, const Result&) = default;
 };
 
-Result three_steps(int threads) {
+// What `move`, which returns an energy, makes of the large film on so many threads.
+template <class Move>
+Result on_threads(int threads, const Move& move) {
+  const int before = omp_get_max_threads();
   omp_set_num_threads(threads);
   scene::Scene scene = large_film();
   solve::Problem problem(scene);
-  solve::Descent descent(problem);
-  double scale = 0;
   Result result;
-  for (int step = 0; step < 3; ++step)
-    result.energy = descent.step(scene.film.edit_positions(), scale, false, HUGE_VAL).energy;
+  result.energy = move(scene, problem);
   result.volume = problem.energy().volumes()[1];
   result.positions.assign(scene.film.positions().begin(), scene.film.positions().end());
+  omp_set_num_threads(before);
+  EXPECT_TRUE(std::isfinite(result.energy));
   return result;
+}
+
+double three_steps(scene::Scene& scene, solve::Problem& problem) {
+  solve::Descent descent(problem);
+  double scale = 0;
+  double energy = 0;
+  for (int step = 0; step < 3; ++step)
+    energy = descent.step(scene.film.edit_positions(), scale, false, HUGE_VAL).energy;
+  return energy;
+}
+
+double newton_step(scene::Scene& scene, solve::Problem& problem) {
+  solve::Newton method(problem, scene.film, solve::MotionKind::normal);
+  double energy = 0;
+  problem.linearise_and_restore(scene.film.edit_positions(), energy);
+  return method.step(scene.film.edit_positions(), solve::SaddlePolicy::shift).energy;
 }
 
 TEST(Threads, DoNotChangeTheResult) {
-  const int before = omp_get_max_threads();
-  const Result one = three_steps(1);
-  const Result two = three_steps(2);
-  const Result three = three_steps(3);
-  omp_set_num_threads(before);
-  EXPECT_TRUE(one == two);
-  EXPECT_TRUE(one == three);
-}
-
-Result newton_step(int threads) {
-  omp_set_num_threads(threads);
-  scene::Scene scene = large_film();
-  solve::Problem problem(scene);
-  solve::Newton method(problem, scene.film, solve::MotionKind::normal);
-  Result result;
-  problem.linearise_and_restore(scene.film.edit_positions(), result.energy);
-  result.energy = method.step(scene.film.edit_positions(), solve::SaddlePolicy::shift).energy;
-  result.positions.assign(scene.film.positions().begin(), scene.film.positions().end());
-  return result;
+  const Result one = on_threads(1, three_steps);
+  EXPECT_TRUE(one == on_threads(2, three_steps));
+  EXPECT_TRUE(one == on_threads(3, three_steps));
 }
 
 TEST(Threads, DoNotChangeAStepOfNewtonsMethod) {
-  const int before = omp_get_max_threads();
-  const Result one = newton_step(1);
-  const Result two = newton_step(2);
-  omp_set_num_threads(before);
-  EXPECT_TRUE(std::isfinite(one.energy));
-  EXPECT_TRUE(one == two);
+  EXPECT_TRUE(on_threads(1, newton_step) == on_threads(2, newton_step));
 }
 
 }  // namespace
