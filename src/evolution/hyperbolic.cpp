@@ -218,6 +218,7 @@ bool Walk::keep_topology(bool at_end) {
 // What had waited at the moment gone back to does so no longer: it may be what tangled.
 bool Walk::go_back(const std::vector<surgery::Tangle>& tangles) {
   const bool goes_on = retreat_.go_back(scene_, tangles);
+  topology_.resume(scene_.film);
   ++report_.retreats;
   renew_motion();
   if (!goes_on || !topology_.waits()) return goes_on;

@@ -190,7 +190,7 @@ void Motion::stiffen() {
 // Pressures push a film around without moving it as a whole; where sets are held that do not answer, what is
 // missing is given to all alike, which changes no volume. A film that something holds keeps no momentum.
 void Motion::give_back_momentum(double dt) {
-  if (held_.empty() || !terms_.constraints().empty()) return;
+  if (!holds() || !terms_.constraints().empty()) return;
   if (std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; })) return;
   const Balance now = evolution::balance(x_, next_v_, masses_);
   Balance missing;
@@ -202,6 +202,29 @@ void Motion::give_back_momentum(double dt) {
   for (std::size_t v = 0; v < next_v_.size(); ++v) {
     next_v_[v] += shift.at(x_[v]);
     next_x_[v] += dt * shift.at(x_[v]);
+    next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
+  }
+}
+
+// Where sets are held that do not answer to pressures, volumes imposed on velocities that do not keep them
+// may speed up what is around. No energy comes from that: it is taken from what is not the motion of the
+// whole, which leaves the momenta and, of targets that rest, the volumes.
+void Motion::shed_excess(double dt) {
+  if (!holds()) return;
+  const Balance now = evolution::balance(x_, next_v_, masses_);
+  const double excess = now.kinetic - kicked_.kinetic;
+  if (excess <= 0) return;
+  const bool stays = std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; });
+  const RigidVelocity whole = stays ? RigidVelocity{} : rigid_velocity(now, x_, masses_, kept_by(scene_));
+  double inner = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v)
+    inner += 0.5 * masses_[v] * squared_length(next_v_[v] - whole.at(x_[v]));
+  const double factor = inner > excess ? std::sqrt(1 - excess / inner) : 0;
+  next_kinetic_ = 0;
+  for (std::size_t v = 0; v < x_.size(); ++v) {
+    const Vec3 rigid = whole.at(x_[v]);
+    next_v_[v] = rigid + factor * (next_v_[v] - rigid);
+    next_x_[v] = x_[v] + dt * next_v_[v];
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
   }
 }
@@ -344,6 +367,7 @@ Ending Motion::step(double dt) {
   if (!keep_constraints(dt)) return undo(Ending::constraint_lost);
   // A turn changes volumes to second order: what is left to be given back after them is next to nothing.
   give_back_momentum(dt);
+  shed_excess(dt);
   if (!errors_.empty() && !keep_volumes(dt)) return undo(Ending::volume_lost);
   give_back_momentum(dt);
   watch_.lap(times_.volumes);

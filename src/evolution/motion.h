@@ -126,9 +126,12 @@ class Motion {
   KickSums kick_rows(const Pace& pace, bool drifts, std::size_t first, std::size_t last);
   // Whether volumes play no part in forces.
   bool is_free() const { return errors_.empty() || paper_ != nullptr; }
+  // The implicit methods move all vertices alike.
+  bool holds() const { return !held_.empty() && !is_implicit(method_); }
   void drift(double dt);
   void stiffen();
   void give_back_momentum(double dt);
+  void shed_excess(double dt);
   bool second_kick(double dt);
   bool settle_velocities(double dt);
   bool implicit_step(double dt);

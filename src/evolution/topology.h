@@ -52,6 +52,11 @@ class TopologyKeeper {
   std::vector<surgery::Tangle> tangles(const film::Film& film);
   // The film goes on from somewhere else, or is not sound.
   void forget_way() { watch_.forget(); }
+  // The film was taken back to where it was sound: it is watched on from there, even if this is the first
+  // that is seen of it.
+  void resume(const film::Film& film) {
+    if (!watch_.knows_film()) watch_.look(film);
+  }
   // A look at a compact film with the vertex columns "velocity" and "mass". Makes what is due: the mesh, the
   // topology, the regions; volumes are restored by positions alone, total mass and (where no vertex is
   // fixed) momentum stay exactly; energy lost or won by the mesh is given back to the velocities around.

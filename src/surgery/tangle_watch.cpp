@@ -49,20 +49,22 @@ int shared_corners(const std::array<Vertex, 3>& a, const std::array<Vertex, 3>& 
 
 }  // namespace
 
-// Facets that are not what they were are looked at, and everything if the film is another.
-void TangleWatch::adopt(const Film& film) {
+// Facets that are not what they were are looked at, and everything if the film is another. Returns whether it
+// is.
+bool TangleWatch::adopt(const Film& film) {
   const std::vector<std::array<Vertex, 3>>& corners = film.connectivity().triangle_vertices;
   if (corners_.size() != corners.size() || last_.size() != film.vertex_rows()) {
     corners_ = corners;
     left_.assign(corners.size(), {});
     last_.assign(film.positions().begin(), film.positions().end());
-    return;
+    return true;
   }
   for (std::size_t t = 0; t < corners.size(); ++t) {
     if (corners_[t] == corners[t]) continue;
     corners_[t] = corners[t];
     left_[t] = {};
   }
+  return false;
 }
 
 void TangleWatch::spend(const Film& film, std::span<const double> reaches) {
@@ -92,7 +94,7 @@ void TangleWatch::spend(const Film& film, std::span<const double> reaches) {
 }
 
 std::vector<Tangle> TangleWatch::look(const Film& film, std::span<const double> reaches) {
-  adopt(film);
+  const bool is_another = adopt(film);
   before_ = left_;
   spend(film, reaches);
   std::vector<Tangle> found;
@@ -127,6 +129,7 @@ std::vector<Tangle> TangleWatch::look(const Film& film, std::span<const double> 
     last_.assign(film.positions().begin(), film.positions().end());
   else
     left_ = before_;
+  if (!found.empty() && is_another) forget();  // nobody goes on from where it tangles
   return united(film, found);
 }
 

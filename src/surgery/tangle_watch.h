@@ -26,6 +26,8 @@ class TangleWatch {
   void before_compaction(const film::Film& film);
   // The film was put elsewhere, or it is not sound: how it came there does not count.
   void forget() { corners_.clear(); }
+  // Whether it has a film to go on from.
+  bool knows_film() const { return !corners_.empty(); }
   // What it finds facets by, for others who look for what is near.
   film::FacetCells& cells() { return cells_; }
   // Facets that were looked at, over all calls.
@@ -37,7 +39,7 @@ class TangleWatch {
     double edges = 0;
     double way = 0;
   };
-  void adopt(const film::Film& film);
+  bool adopt(const film::Film& film);
   void spend(const film::Film& film, std::span<const double> reaches);
   void look_around(const film::Film& film, film::Triangle t, std::vector<Tangle>& found);
   void compare_at_corner(const film::Film& film, film::Triangle t, film::Triangle other,

@@ -46,9 +46,11 @@ Tale tell(std::uint32_t seed, int most_bubbles, long steps) {
   Tale tale;
   Scene scene = test::random_bubbles(seed, most_bubbles);
   test::Chance chance(seed + 1000);
+  const int at_first = test::bodies_present(scene);
   scene::Monitor monitor;
   StepSize size;
   size.topology = true;
+  TopologyMemory memory;
   std::string after = "the beginning";
   const OnEvents note = [&](Scene& now, std::span<const surgery::Event> events) {
     for (const surgery::Event& event : events) ++tale.events[std::string(name_of(event.kind))];
@@ -57,7 +59,7 @@ Tale tell(std::uint32_t seed, int most_bubbles, long steps) {
       tale.fault += " at an event: " + std::string(name_of(events[0].kind));
   };
   while (tale.steps < steps && tale.fault.empty() && scene.film.triangle_count() > 0) {
-    const EvolveReport report = evolve(scene, spell, size, monitor, {}, note);
+    const EvolveReport report = evolve(scene, spell, size, monitor, {}, note, &memory);
     tale.steps += spell;
     tale.worst_volume = std::max(tale.worst_volume, report.volume_error);
     tale.counts.looks += report.topology.looks;
@@ -69,8 +71,12 @@ Tale tell(std::uint32_t seed, int most_bubbles, long steps) {
       tale.fault += ", after " + after + ", at step " + std::to_string(tale.steps);
       break;
     }
-    if (const char* what = test::befall(scene, chance); std::string(what) != "none") after = what;
-    ++tale.events[after];
+    const long left = std::max(0L, steps - tale.steps);
+    const int kept = static_cast<int>(at_first * left / steps);
+    const std::string what = test::befall(scene, chance, kept);
+    if (what == "none") continue;
+    after = what;
+    ++tale.events[what];
   }
   return tale;
 }

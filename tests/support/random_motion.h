@@ -133,8 +133,15 @@ inline scene::Scene random_bubbles(std::uint32_t seed, int most) {
   return scene;
 }
 
-// What happens to a scene between two spells of motion. Returns its name.
-inline const char* befall(scene::Scene& scene, Chance& chance) {
+inline int bodies_present(const scene::Scene& scene) {
+  int present = 0;
+  for (const scene::Body& body : scene.bodies) present += body.absent ? 0 : 1;
+  return present;
+}
+
+// What happens to a scene between two spells of motion. Returns its name. Nothing bursts where there are no
+// more bodies than are to be `kept`, so that a long tale has bubbles to its end.
+inline const char* befall(scene::Scene& scene, Chance& chance, int kept) {
   std::vector<Vec3> velocity = evolution::velocities(scene.film);
   const auto fixed = scene.film.columns(film::ElementKind::vertex).flags("fixed");
   Vec3 middle;
@@ -175,13 +182,13 @@ inline const char* befall(scene::Scene& scene, Chance& chance) {
       return "sheared";
     }
     case 3: {
-      if (scene.bodies.empty()) return "none";
+      if (bodies_present(scene) <= kept) return "none";
       const Region r{1 + std::uint32_t(chance.below(int(scene.bodies.size())))};
       if (!scene.body(r).absent) burst(surgery::burst_body(scene, r));
       return "burst of a bubble";
     }
     case 4: {
-      if (scene.film.triangle_count() == 0) return "none";
+      if (bodies_present(scene) <= kept) return "none";
       burst(surgery::burst_sheet(
           scene, film::Triangle(std::uint32_t(chance.below(int(scene.film.triangle_rows()))))));
       return "burst of a film";

@@ -66,6 +66,17 @@ TEST(TangleWatch, SeesSheetsThatComeToCross) {
 }
 
 // Neither the first film nor the last passes through itself: it has done so between.
+// Where a film tangles that was never seen before, it goes back to a place that the watch does not know.
+TEST(TangleWatch, GoesOnFromNowhereThatTangles) {
+  Film film = two_sheets(8, -0.03);
+  const Vertex one(film.vertex_rows() - 20);
+  film.move(one, film.position(one) + Vec3{0.09, 0.05, 0.1});
+  TangleWatch watch;
+  EXPECT_FALSE(watch.look(film).empty());
+  film.move(one, film.position(one) - Vec3{0.09, 0.05, 0.1});
+  EXPECT_TRUE(watch.look(film).empty());
+}
+
 TEST(TangleWatch, SeesASheetThatHasPassedThroughAnother) {
   Film film = two_sheets(4, 0.1);
   TangleWatch watch;
