@@ -379,6 +379,7 @@ Ending Motion::step(double dt) {
     distrusts_rate_ = !one_pass_;
     return step(dt);
   }
+  if (holds() && missed_too_far(dt)) return undo(Ending::volume_lost);  // turned too fast
   distrusts_rate_ = false;
   const bool centred = method_ == Method::verlet || method_ == Method::midpoint;
   if (centred && !second_kick(dt)) return undo(Ending::not_finite);

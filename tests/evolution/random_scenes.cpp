@@ -20,7 +20,8 @@ namespace {
 using scene::Scene;
 using solve::Ending;
 
-constexpr long spell = 10;  // steps between two things that befall a scene
+constexpr long spell = 10;        // steps between two checks
+constexpr long most_events = 20;  // that befall a scene: more would heat it without end
 
 int asked(const char* name, int otherwise) {
   const char* const value = std::getenv(name);
@@ -71,6 +72,7 @@ Tale tell(std::uint32_t seed, int most_bubbles, long steps) {
       tale.fault += ", after " + after + ", at step " + std::to_string(tale.steps);
       break;
     }
+    if (tale.steps % std::max(spell, steps / most_events) != 0) continue;
     const long left = std::max(0L, steps - tale.steps);
     const int kept = static_cast<int>(at_first * left / steps);
     const std::string what = test::befall(scene, chance, kept);
