@@ -108,7 +108,7 @@ void run(Session& session, const EvolveOptions& options) {
   if (options.dt) check_step(scene, *options.dt, size.method);
   evolution::AfterStep note;
   if (MotionLog& log = session.memory<MotionLog>(); log.active())
-    note = [&](const evolution::Motion& motion, long) { log.note(scene, motion); };
+    note = [&](evolution::Motion& motion, long) { log.note(scene, motion); };
   const evolution::EvolveReport report = evolution::evolve(
       scene, options.steps, size, session.monitor(), note,
       [&](scene::Scene&, std::span<const surgery::Event> events) { tell_events(session, events); },

@@ -36,7 +36,7 @@ struct CarriedColumn {
   int least = 0;
 };
 
-// The motion of the vertices: velocity and mass.
+// The motion of the vertices and what it remembers of volumes.
 std::span<const CarriedColumn> carried_columns();
 const CarriedColumn* carried_column(film::ElementKind kind, std::string_view name);
 

@@ -10,48 +10,61 @@ namespace lamella::energy {
 
 namespace {
 
-// Four triangles side by side. The last batch of a film may hold fewer: its spare lanes repeat a triangle
-// with weight 0.
+using Corners = std::array<film::Vertex, 3>;
+
+// Four triangles side by side, as they lie in memory. The last batch of a film may hold fewer: it is a copy,
+// whose spare lanes repeat a triangle with weight 0.
 struct Batch {
-  std::array<std::array<film::Vertex, 3>, lanes> corners;
-  std::array<film::RegionPair, lanes> regions;
+  const Corners* corners;
+  const film::RegionPair* regions;
   Lane tension;
   Lane weight;
-  bool full = true;
 };
 
+constexpr Lane ones{1, 1, 1, 1};
+
 Batch full_batch(const SweepInput& input, std::size_t first) {
-  Batch batch;
-  std::copy_n(input.triangles.data() + first, lanes, batch.corners.data());
-  if (input.has_regions) std::copy_n(input.regions.data() + first, lanes, batch.regions.data());
-  batch.weight = Lane{1, 1, 1, 1};
-  batch.tension = batch.weight;
+  Batch batch{input.triangles.data() + first, input.regions.data() + first, ones, ones};
   if (!input.tension.empty()) std::memcpy(&batch.tension, input.tension.data() + first, sizeof batch.tension);
   return batch;
 }
 
-Batch last_batch(const SweepInput& input, std::size_t first) {
+struct PartBatch {
+  std::array<Corners, lanes> corners;
+  std::array<film::RegionPair, lanes> regions;
   Batch batch;
-  batch.full = false;
+};
+
+PartBatch last_batch(const SweepInput& input, std::size_t first) {
+  PartBatch part{};
   for (std::size_t i = 0; i < lanes; ++i) {
     const bool spare = first + i >= input.triangles.size();
     const std::size_t t = spare ? first : first + i;
-    batch.corners[i] = input.triangles[t];
-    batch.regions[i] = input.regions[t];
-    batch.weight[i] = spare ? 0.0 : 1.0;
-    batch.tension[i] = spare ? 0.0 : input.tension.empty() ? 1.0 : input.tension[t];
+    part.corners[i] = input.triangles[t];
+    if (input.has_regions) part.regions[i] = input.regions[t];
+    part.batch.weight[i] = spare ? 0.0 : 1.0;
+    part.batch.tension[i] = spare ? 0.0 : input.tension.empty() ? 1.0 : input.tension[t];
   }
-  return batch;
+  return part;
 }
 
 using Ranges = std::span<const SweepPlan::Range>;
 
+// Calls function(one) for each batch, or function(one, next) for two of them where there are two: a batch
+// waits for roots and quotients, and another one has work meanwhile.
 template <class Function>
 void for_each_batch(const SweepInput& input, Ranges ranges, Function&& function) {
   for (const SweepPlan::Range& range : ranges) {
     std::size_t first = range.first;
+    for (; first + 2 * lanes <= range.last; first += 2 * lanes)
+      function(full_batch(input, first), full_batch(input, first + lanes));
     for (; first + lanes <= range.last; first += lanes) function(full_batch(input, first));
-    if (first < range.last) function(last_batch(input, first));
+    if (first < range.last) {
+      PartBatch part = last_batch(input, first);
+      part.batch.corners = part.corners.data();
+      part.batch.regions = part.regions.data();
+      function(part.batch);
+    }
   }
 }
 
@@ -62,15 +75,23 @@ Lane3 gather(const SweepInput& input, const Batch& batch, std::size_t corner) {
   return {axes[0], axes[1], axes[2]};
 }
 
+using Words [[gnu::vector_size(lanes * sizeof(std::int64_t))]] = std::int64_t;
+
+// The pairs of regions of a batch, each as one number.
+Words words(const Batch& batch) {
+  static_assert(sizeof(film::RegionPair) == sizeof(std::int64_t));
+  Words w;
+  std::memcpy(&w, batch.regions, sizeof w);
+  return w;
+}
+
 // +1 where the normal points into the region of lower number, -1 into the higher, 0 where both are the same.
 Lane orientations(const Batch& batch) {
-  Lane s;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const film::RegionPair pair = batch.regions[i];
-    s[i] = static_cast<double>(static_cast<int>(pair.front < pair.behind) -
-                               static_cast<int>(pair.behind < pair.front));
-  }
-  return s;
+  const Words pairs = words(batch);
+  const Words front = pairs & 0xffffffff;
+  const Words behind = (pairs >> 32) & 0xffffffff;
+  const Lane into_lower = front < behind ? ones : Lane{};
+  return front > behind ? -ones : into_lower;
 }
 
 // Adds the tetrahedra under the triangles to the volumes of the regions behind and takes them from those in
@@ -85,20 +106,19 @@ class VolumeSum {
   VolumeSum& operator=(const VolumeSum&) = delete;
 
   void add(const Batch& batch, const Lane& sixfold) {
-    const auto& pair = batch.regions;
-    const bool alike = pair[0] == pair[1] && pair[0] == pair[2] && pair[0] == pair[3];
-    if (alike && batch.full) {
-      if (!(pair[0] == run_)) {
+    const Words pairs = words(batch);
+    if (((pairs[0] ^ pairs[1]) | (pairs[0] ^ pairs[2]) | (pairs[0] ^ pairs[3])) == 0) {
+      if (!(batch.regions[0] == run_)) {
         flush();
-        run_ = pair[0];
+        run_ = batch.regions[0];
       }
       sum_ += sixfold;
       return;
     }
     for (std::size_t i = 0; i < lanes; ++i) {
-      const double volume = sixfold[i] * batch.weight[i] / 6;
-      volumes_[pair[i].behind.index] += volume;
-      volumes_[pair[i].front.index] -= volume;
+      const double volume = sixfold[i] / 6;
+      volumes_[batch.regions[i].behind.index] += volume;
+      volumes_[batch.regions[i].front.index] -= volume;
     }
   }
 
@@ -120,70 +140,98 @@ Lane3 relative(const Lane3& p, const Vec3& origin) {
   return {p.x - origin.x, p.y - origin.y, p.z - origin.z};
 }
 
-// Adds to one corner of each triangle: first the four values of its own, then the four all corners share.
-void scatter(const Batch& batch, std::size_t corner, const std::array<Lane, 4>& own,
-             const std::array<Lane, 4>& common, std::span<VertexLine> lines) {
-  for (std::size_t i = 0; i < lanes; ++i) {
-    VertexLine& line = lines[batch.corners[i][corner].index];
-    add_to(&line.gradient.x, own[i]);
-    add_to(&line.area_vector.x, common[i]);
+// What the sums over a part of the film are made of.
+struct Sums {
+  explicit Sums(std::span<double> volumes) : volume(volumes) {}
+  SweepSums whole() const { return {0.5 * sum(energy), 0.5 * sum(area)}; }
+
+  Lane energy{};  // twice
+  Lane area{};    // twice
+  VolumeSum volume;
+};
+
+// What four triangles give to their corners: values of each corner's own, and values that all three share.
+struct Shares {
+  std::array<Lane3, 3> gradient;
+  Lane stiffness;
+  Lane3 area_vector;
+  Lane area;
+};
+
+constexpr double least_square = 1e-300;
+
+template <bool with_regions>
+[[gnu::always_inline]] inline Shares shares_of(const SweepInput& input, const Batch& batch, Sums& sums) {
+  const Lane3 a = gather(input, batch, 0);
+  const Lane3 b = gather(input, batch, 1);
+  const Lane3 c = gather(input, batch, 2);
+  const Lane3 ab = b - a;
+  const Lane3 bc = c - b;
+  const Lane3 ca = a - c;
+  const Lane3 normal = cross(ca, ab);  // twice the vector area
+  const Lane square = dot(normal, normal);
+  // The root and the quotient do not wait for one another.
+  const Lane doubled = square_root(square);
+  const Lane per_square = 1.0 / (square > least_square ? square : ones);  // no area, no gradient
+  sums.energy += batch.tension * doubled;
+  sums.area += batch.weight * doubled;
+
+  Shares shares;
+  const Lane half = 0.5 * (doubled * per_square);
+  const Lane sides = dot(ab, ab) + dot(bc, bc) + dot(ca, ca);
+  const Lane under = (0.25 * per_square) * (sides * sides) - 3.0;
+  shares.stiffness = 0.5 * batch.tension * (sides * half + square_root(under > 0 ? under : Lane{}));
+  shares.area = (1.0 / 6) * doubled * batch.weight;
+  shares.area_vector = Lane3{};
+  if constexpr (with_regions) {
+    shares.area_vector = normal * ((1.0 / 6) * orientations(batch) * batch.weight);
+    sums.volume.add(batch, dot(normal, relative(a, input.origin)) * batch.weight);
+  }
+  const Lane3 pull = normal * (batch.tension * half);
+  shares.gradient = {cross(pull, bc), cross(pull, ca), cross(pull, ab)};
+  return shares;
+}
+
+[[gnu::always_inline]] inline void scatter(const Batch& batch, const Shares& shares,
+                                           std::span<VertexLine> lines) {
+  const std::array<Lane, 4> common =
+      transposed(shares.area_vector.x, shares.area_vector.y, shares.area_vector.z, shares.area);
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const Lane3& g = shares.gradient[corner];
+    const std::array<Lane, 4> own = transposed(g.x, g.y, g.z, shares.stiffness);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      VertexLine& line = lines[batch.corners[i][corner].index];
+      add_to(&line.gradient.x, own[i]);
+      add_to(&line.area_vector.x, common[i]);
+    }
   }
 }
 
 template <bool with_regions>
 SweepSums gradient_pass(const SweepInput& input, Ranges ranges, std::span<double> volumes,
                         std::span<VertexLine> lines) {
-  Lane energy{};
-  Lane area_sum{};
-  VolumeSum volume(volumes);
-  for_each_batch(input, ranges, [&](const Batch& batch) {
-    const Lane3 a = gather(input, batch, 0);
-    const Lane3 b = gather(input, batch, 1);
-    const Lane3 c = gather(input, batch, 2);
-    const Lane3 ab = b - a;
-    const Lane3 bc = c - b;
-    const Lane3 ca = a - c;
-    const Lane3 normal = cross(ca, ab);  // twice the vector area
-    const Lane doubled = square_root(dot(normal, normal));
-    const Lane inverse = 1.0 / (doubled > 0 ? doubled : Lane{1, 1, 1, 1});  // no area, no gradient
-    const Lane area = 0.5 * doubled * batch.weight;
-    energy += batch.tension * 0.5 * doubled;
-    area_sum += area;
-
-    const Lane ratio = (dot(ab, ab) + dot(bc, bc) + dot(ca, ca)) * (0.5 * inverse);
-    const Lane under = ratio * ratio - 3.0;
-    const Lane stiffness = 0.5 * batch.tension * (ratio + square_root(under > 0 ? under : Lane{}));
-    Lane3 vector{};
-    if constexpr (with_regions) {
-      vector = normal * (orientations(batch) * batch.weight / 6.0);
-      volume.add(batch, dot(normal, relative(a, input.origin)));
-    }
-    const std::array<Lane, 4> common = transposed(vector.x, vector.y, vector.z, area / 3.0);
-    const Lane3 pull = normal * (0.5 * batch.tension * inverse);
-    const Lane3 at_a = cross(pull, bc);
-    const Lane3 at_b = cross(pull, ca);
-    const Lane3 at_c = cross(pull, ab);
-    scatter(batch, 0, transposed(at_a.x, at_a.y, at_a.z, stiffness), common, lines);
-    scatter(batch, 1, transposed(at_b.x, at_b.y, at_b.z, stiffness), common, lines);
-    scatter(batch, 2, transposed(at_c.x, at_c.y, at_c.z, stiffness), common, lines);
+  Sums sums(volumes);
+  for_each_batch(input, ranges, [&](const auto&... batches) {
+    const std::array<Shares, sizeof...(batches)> shares{shares_of<with_regions>(input, batches, sums)...};
+    std::size_t i = 0;
+    (scatter(batches, shares[i++], lines), ...);
   });
-  return {sum(energy), sum(area_sum)};
+  return sums.whole();
 }
 
 template <bool with_regions>
 SweepSums energy_pass(const SweepInput& input, Ranges ranges, std::span<double> volumes) {
-  Lane energy{};
-  Lane area_sum{};
-  VolumeSum volume(volumes);
-  for_each_batch(input, ranges, [&](const Batch& batch) {
+  Sums sums(volumes);
+  const auto add = [&](const Batch& batch) {
     const Lane3 a = gather(input, batch, 0);
     const Lane3 normal = cross(gather(input, batch, 1) - a, gather(input, batch, 2) - a);
-    const Lane area = 0.5 * square_root(dot(normal, normal));
-    energy += area * batch.tension;
-    area_sum += area * batch.weight;
-    if constexpr (with_regions) volume.add(batch, dot(normal, relative(a, input.origin)));
-  });
-  return {sum(energy), sum(area_sum)};
+    const Lane doubled = square_root(dot(normal, normal));
+    sums.energy += batch.tension * doubled;
+    sums.area += batch.weight * doubled;
+    if constexpr (with_regions) sums.volume.add(batch, dot(normal, relative(a, input.origin)) * batch.weight);
+  };
+  for_each_batch(input, ranges, [&](const auto&... batches) { (add(batches), ...); });
+  return sums.whole();
 }
 
 // Calls pass(ranges, volumes) for each part of a plan, and at last for what lies between them.

@@ -258,7 +258,7 @@ EvolveReport Walk::run(long steps) {
     }
     report_.ending = advance(size_.fixed ? *size_.fixed : free_step(), steps);
   }
-  motion_->store();
+  motion_->leave();
   if (size_.topology && memory_ != nullptr) topology_.leave(*memory_, scene_.film);
   report_.bound = motion_->bound();
   report_.energy = motion_->energy();

@@ -64,7 +64,7 @@ struct EvolveReport {
 // why.
 // `after_step`, where given, is called after each of the steps with the motion, whose scene has the step's
 // time.
-using AfterStep = std::function<void(const Motion& motion, long step)>;
+using AfterStep = std::function<void(Motion& motion, long step)>;
 // `on_events`, where given, is called when films have changed their topology, and may change the scene.
 using OnEvents = std::function<void(scene::Scene& scene, std::span<const surgery::Event> events)>;
 // `memory`, where given, spares motions that follow one another searching the whole film for films that

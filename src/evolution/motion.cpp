@@ -17,6 +17,9 @@ using solve::Ending;
 // A step may raise the total energy by this part of it before it counts as a failure: a symplectic step below
 // the bound wobbles by far less, an unstable one grows without limit.
 constexpr double most_energy_rise = 0.02;
+// Stands for what a step missed of a volume that had to be made again, in parts of what may be missed: nine
+// halvings until it is forgotten.
+constexpr double distrust = 100;
 // Not none: a body whose films are all held must be able to keep its volume.
 constexpr double answer_of_held = 1e-4;
 
@@ -46,6 +49,7 @@ Motion::Motion(scene::Scene& scene, Method method, VolumeMode volumes)
       next_pressures_(errors_.size()) {
   std::ranges::copy(velocities(scene.film), v_.begin());
   for (const film::Region region : terms_.constrained()) pressures_.push_back(scene.body(region).pressure);
+  take_up_swept_places();
   energy_ = terms_.gradient(x_);
   masses_ = carried_masses(scene.film, terms_.lines());
   weigh();
@@ -375,7 +379,7 @@ Ending Motion::step(double dt) {
   watch_.lap(times_.forces);
   if ((one_pass_ || relies_on_sweep_) && missed_too_far(dt)) {
     undo(Ending::volume_lost);
-    if (one_pass_) memory_.distrust();
+    if (one_pass_) memory_.distrust(distrust * most_missed());
     distrusts_rate_ = !one_pass_;
     return step(dt);
   }
@@ -405,6 +409,7 @@ void Motion::accept(double dt, double energy) {
   scene::advance_targets(scene_, scene_.time);
   for (std::size_t i = 0; i < pressures_.size(); ++i)
     scene_.body(terms_.constrained()[i]).pressure = pressures_[i];
+  is_settled_ = false;
   watch_.lap(times_.other);
   sound_ = linearise();
   watch_.lap(times_.volumes);
@@ -422,15 +427,6 @@ double Motion::stiffness_at(double fitness) const {
   return 4 * facets / (mass_ * fitness * fitness);  // 2/root(rate) over root(mass/facets) is the fitness
 }
 
-double Motion::volume_error() const {
-  double worst = 0;
-  for (const film::Region region : terms_.constrained()) {
-    const double target = *scene_.body(region).target_volume;
-    worst = std::max(worst, std::abs(terms_.volumes()[region.index] / target - 1));
-  }
-  return worst;
-}
-
 double Motion::last_move() const {
   double most = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) most = std::max(most, squared_length(x_[v] - next_x_[v]));
@@ -438,7 +434,7 @@ double Motion::last_move() const {
 }
 
 void Motion::store() {
-  std::copy(x_.begin(), x_.end(), scene_.film.edit_positions().begin());
+  std::ranges::copy(settled(), scene_.film.edit_positions().begin());
   store_motion(scene_.film, masses_, v_);
   memory_.store(scene_);
   forces_.store(scene_);

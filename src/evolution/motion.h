@@ -35,7 +35,7 @@ constexpr bool is_implicit(Method method) {
 
 // How volumes are kept in a step.
 enum class VolumeMode {
-  automatic,  // lagged as long as that misses no volume by more than 1e-10 of it, else exact
+  automatic,  // lagged as long as that misses no volume by much; what it misses is made good in what is shown
   lagged,     // in one pass: what the step leaves is foreseen, and what that misses goes into the next step
   exact,      // repeated along the gradients at the start of the step until volumes are right to 1e-12
   paper,      // once, along averaged normals at the end of the step (evolution/paper_correction.h)
@@ -52,8 +52,10 @@ enum class VolumeMode {
 //   x' = x + dt v'
 //
 // where q is what the last steps had beyond first order (evolution/volume_memory.h). One sweep gives g, G,
-// volumes and the stability bound. Where volumes are wanted exact, those at x' are measured and the same G
-// and factors serve to correct x' and v', until they are right.
+// volumes and the stability bound. What x' misses of the volumes, some 1e-7 of them, goes into the next step;
+// whoever looks at the film is shown it *settled*: put along G until its volumes are right, as the next step
+// will do. Where volumes are wanted exact, those at x' are measured and the same G and factors serve to
+// correct x' and v', until they are right.
 //
 // Verlet makes the first half of the kick before, the second after the move, there with velocities projected
 // so that they keep the volumes (H. C. Andersen, "Rattle: a velocity version of the Shake algorithm", Journal
@@ -84,20 +86,25 @@ class Motion {
   void hold_together(std::vector<std::vector<film::Vertex>> sets);
   // Whether a step can be made from here: numbers are finite, and the volumes can be kept.
   bool is_sound() const { return sound_; }
-  // Copies positions, velocities and masses to the scene.
+  // Copies settled positions, velocities and masses to the scene.
   void store();
+  // The same at the end of a motion that another one may take up.
+  void leave();
 
-  std::span<const Vec3> positions() const { return x_; }
+  std::span<const Vec3> positions() const { return x_; }  // not settled
   std::span<const Vec3> speeds() const { return v_; }
   // The farthest that a vertex went in the last step that was made.
   double last_move() const;
   double energy() const { return energy_; }
   double kinetic() const { return kinetic_; }
-  double volume_error() const;
+  // The largest of a volume of the settled film, in parts of it.
+  double volume_error();
   const StepTimes& times() const { return times_; }
   Balance balance() const { return evolution::balance(x_, v_, masses_); }
 
  private:
+  using Vectors = std::vector<Vec3, film::LargePages<Vec3>>;
+
   bool linearise();
   void weigh();
   bool propose(double dt);
@@ -141,6 +148,9 @@ class Motion {
   void accept(double dt, double energy);
 
   // In motion_volumes.cpp.
+  bool settles() const;
+  const Vectors& settled();
+  void take_up_swept_places();
   double target(std::size_t row, double time) const;
   double smallest_target() const;
   void foresee_volumes(const Pace& pace);
@@ -148,13 +158,13 @@ class Motion {
   void project_velocities(double dt);
   void correct(double dt);
   bool keep_volumes(double dt);
-  bool look_at_volumes(double dt, double& worst);
+  double most_missed() const;
+  double compare(std::span<const double> volumes, double time);
+  double look_at_volumes(std::span<const Vec3> positions, double time);
   bool correct_as_paper(double dt);
   bool missed_too_far(double dt) const;
   void remember_volumes(double dt);
   double pressure_span(double dt) const;
-
-  using Vectors = std::vector<Vec3, film::LargePages<Vec3>>;
 
   scene::Scene& scene_;
   Method method_;
@@ -174,6 +184,9 @@ class Motion {
   Vectors v_;
   Vectors next_x_;
   Vectors next_v_;
+  Vectors settled_;  // empty until someone looks
+  double settled_error_ = 0;
+  bool is_settled_ = false;
   std::vector<std::vector<film::Vertex>> held_;
   Balance kicked_;  // where sets are held: after the kick, its momenta to be had at the end of the step
   std::vector<Vec3> pushes_;  // accelerations by outer forces; empty without them

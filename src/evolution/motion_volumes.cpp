@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "evolution/motion.h"
+#include "evolution/swept_places.h"
 #include "film/blocks.h"
 
 namespace lamella::evolution {
@@ -14,16 +15,68 @@ constexpr double volume_tolerance = 1e-12;  // relative
 // The volumes need no second look after a pass that leaves less than this by its expected rate; rates vary
 // from step to step. Where the sweep at the end of the step tells, and it may be made again, more is risked.
 constexpr double most_left_unseen = 2e-12 / 30;
-constexpr double most_left_to_the_sweep = 5e-11 / 3;
+constexpr double most_left_to_the_sweep = 1.0 / 6;  // in parts of what may be missed
 // Where systems are solved by iteration: relative, and as parts of what the next pass finds anyway.
 constexpr double solved_to = 2e-13;
 constexpr double part_of_next = 0.03;
-// The next step goes without a look at its volumes if the last one missed them by less than this.
-constexpr double missed_little = 2e-11;
-// A step that has missed them by more is made again, with a look.
+constexpr double part_of_missed = 1e-3;  // of what may be missed
+// A step that has missed volumes by more than this is made again, with a look; one that follows a step that
+// has missed them by a part of that is looked at from the start. Where what is missed is made good before
+// anybody looks, it is the forces that are to be taken near enough to the film that is shown; else volumes
+// are as far off as this says.
 constexpr double missed_much = 1e-10;
+constexpr double missed_much_unseen = 1e-5;
+constexpr double missed_little = 0.2;
 
 }  // namespace
+
+// Whether what steps leave of the volumes may wait until someone looks. Where constraints hold vertices it
+// may not: projections go on from where the last one ended, so that a look would change the path.
+bool Motion::settles() const {
+  return volume_mode_ == VolumeMode::automatic && !is_implicit(method_) && !errors_.empty() &&
+         terms_.constraints().empty();
+}
+
+double Motion::most_missed() const {
+  return settles() ? missed_much_unseen : missed_much;
+}
+
+// The film put along the gradients at x_ until its volumes are right.
+const Motion::Vectors& Motion::settled() {
+  if (!settles() || !sound_) return x_;
+  if (is_settled_) return settled_;
+  is_settled_ = true;
+  settled_ = x_;
+  settled_error_ = compare(present_, scene_.time);
+  for (int pass = 0; pass < most_volume_passes && settled_error_ > volume_tolerance; ++pass) {
+    const double left = part_of_next * settled_error_ * settled_error_;
+    gram_.solve(errors_, multipliers_, std::max(solved_to, left) * smallest_target());
+    energy::VolumeGradient& volume = terms_.volume_gradient();
+    volume.set_multipliers(multipliers_);
+    film::for_each_block(x_.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) settled_[v] += answers_[v] * volume.pull(v);
+    });
+    const double before = settled_error_;
+    settled_error_ = look_at_volumes(settled_, scene_.time);
+    if (settled_error_ > 0.5 * before) break;
+  }
+  return settled_;
+}
+
+double Motion::volume_error() {
+  settled();
+  return settles() && sound_ ? settled_error_ : compare(present_, scene_.time);
+}
+
+void Motion::leave() {
+  store();
+  if (settles() && sound_) store_swept_places(scene_, x_);
+}
+
+void Motion::take_up_swept_places() {
+  const std::optional<std::vector<Vec3>> places = take_swept_places(scene_);
+  if (places && settles()) std::ranges::copy(*places, x_.begin());
+}
 
 double Motion::target(std::size_t row, double time) const {
   return scene::target_at(scene_.body(terms_.constrained()[row]), time);
@@ -60,9 +113,9 @@ void Motion::impose_volumes(double dt) {
     foreseen_[i] = target(i, scene_.time + dt) - memory_.expected(i, dt);
     errors_[i] = (foreseen_[i] - present_[i]) / dt - errors_[i];
   }
-  const double looked_for = std::isfinite(memory_.miss()) && memory_.miss() > missed_little
-                                ? std::max(solved_to, part_of_next * memory_.miss())
-                                : solved_to;
+  const bool looks = std::isfinite(memory_.miss()) && memory_.miss() > missed_little * most_missed();
+  const double least = settles() ? part_of_missed * missed_much_unseen : solved_to;
+  const double looked_for = looks ? std::max(least, part_of_next * memory_.miss()) : least;
   gram_.solve(errors_, multipliers_, looked_for * smallest_target() / dt);
   for (std::size_t i = 0; i < multipliers_.size(); ++i)
     next_pressures_[i] += multipliers_[i] * dt / pressure_span(dt);
@@ -100,31 +153,37 @@ void Motion::correct(double dt) {
   for (std::size_t i = 0; i < errors_.size(); ++i) next_pressures_[i] += multipliers_[i] / pressure_span(dt);
 }
 
-// Measures volumes at next_x_ and what they lack; false if they are not finite.
-bool Motion::look_at_volumes(double dt, double& worst) {
-  terms_.value(next_x_);
-  worst = 0;
+// What volumes lack at a time, and the largest part of one that is missing.
+double Motion::compare(std::span<const double> volumes, double time) {
+  double worst = 0;
   for (std::size_t i = 0; i < errors_.size(); ++i) {
-    const double wanted = target(i, scene_.time + dt);
-    errors_[i] = wanted - terms_.volumes()[terms_.constrained()[i].index];
-    worst = std::max(worst, std::abs(errors_[i] / wanted));
+    const double wanted = target(i, time);
+    errors_[i] = wanted - volumes[i];
+    const double part = std::abs(errors_[i] / wanted);
+    worst = std::isfinite(part) ? std::max(worst, part) : HUGE_VAL;
   }
-  return std::isfinite(worst);
+  return worst;
+}
+
+// The same of the volumes at these positions.
+double Motion::look_at_volumes(std::span<const Vec3> positions, double time) {
+  terms_.value(positions);
+  return compare(terms_.held_values(), time);
 }
 
 bool Motion::keep_volumes(double dt) {
   if (volume_mode_ == VolumeMode::paper) return correct_as_paper(dt);
   relies_on_sweep_ = false;
-  one_pass_ =
-      !is_implicit(method_) && (volume_mode_ == VolumeMode::lagged ||
-                                (volume_mode_ == VolumeMode::automatic && memory_.miss() < missed_little));
+  one_pass_ = !is_implicit(method_) &&
+              (volume_mode_ == VolumeMode::lagged ||
+               (volume_mode_ == VolumeMode::automatic && memory_.miss() < missed_little * most_missed()));
   if (one_pass_) return true;
   relies_on_sweep_ = volume_mode_ == VolumeMode::automatic && !distrusts_rate_ && !is_implicit(method_);
-  const double unseen = relies_on_sweep_ ? most_left_to_the_sweep : most_left_unseen;
+  const double unseen = relies_on_sweep_ ? most_left_to_the_sweep * most_missed() : most_left_unseen;
   double before = 0;
   for (int pass = 0; pass < most_volume_passes; ++pass) {
-    double worst = 0;
-    if (!look_at_volumes(dt, worst)) return false;
+    const double worst = look_at_volumes(next_x_, scene_.time + dt);
+    if (!std::isfinite(worst)) return false;
     if (pass == 0) {
       for (std::size_t i = 0; i < errors_.size(); ++i) reached_[i] = target(i, scene_.time + dt) - errors_[i];
     }
@@ -141,8 +200,7 @@ bool Motion::keep_volumes(double dt) {
 
 bool Motion::correct_as_paper(double dt) {
   one_pass_ = true;
-  double worst = 0;
-  if (!look_at_volumes(dt, worst)) return false;
+  if (!std::isfinite(look_at_volumes(next_x_, scene_.time + dt))) return false;
   std::vector<Vec3> moves(x_.size());
   if (!paper_->displacements(next_x_, errors_, multipliers_, moves)) return false;
   next_kinetic_ = 0;
@@ -163,7 +221,7 @@ bool Motion::missed_too_far(double dt) const {
   for (std::size_t i = 0; i < present_.size(); ++i) {
     const double wanted = target(i, scene_.time + dt);
     const double missed = terms_.volumes()[terms_.constrained()[i].index] - wanted;
-    if (!(std::abs(missed) < missed_much * std::abs(wanted))) return true;
+    if (!(std::abs(missed) < most_missed() * std::abs(wanted))) return true;
   }
   return false;
 }

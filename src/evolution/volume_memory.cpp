@@ -10,8 +10,6 @@ namespace {
 constexpr const char* column_name = "volume_defect";
 constexpr int width = 4;  // last, before, miss, rate: the last the same for all
 constexpr double smooth_slope = 0.3;
-constexpr double failed =
-    1e-8;  // stands for a miss that made a step fail: nine halvings until it is forgotten
 constexpr double rounding = 1e-13;  // of a volume
 
 }  // namespace
@@ -46,8 +44,8 @@ void VolumeMemory::note(std::size_t row, double dt, double left, double missed, 
   r.last = left / (dt * dt);
 }
 
-void VolumeMemory::distrust() {
-  for (Row& row : rows_) row.miss = std::max(row.miss, failed);
+void VolumeMemory::distrust(double miss) {
+  for (Row& row : rows_) row.miss = std::max(row.miss, miss);
   finish();
 }
 

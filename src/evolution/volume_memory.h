@@ -23,8 +23,8 @@ class VolumeMemory {
   // The largest part of its volume by which a body was missed of late: of earlier steps half counts, of those
   // before a quarter. Infinite without a memory.
   double miss() const { return miss_; }
-  // What was foreseen has failed: it is not relied on for some steps.
-  void distrust();
+  // What was foreseen has failed: as though a step had missed a volume by this part of it.
+  void distrust(double miss);
   // What a step did leave, and by how much (in parts of the volume) that missed the volume wanted.
   void note(std::size_t row, double dt, double left, double missed, double volume);
   // After the notes of all rows.

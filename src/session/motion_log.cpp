@@ -21,7 +21,7 @@ void MotionLog::begin(std::string path, long every) {
   steps_ = 0;
 }
 
-void MotionLog::note(const scene::Scene& scene, const evolution::Motion& motion) {
+void MotionLog::note(const scene::Scene& scene, evolution::Motion& motion) {
   if (++steps_ % every_ != 0) return;
   const evolution::Balance whole = motion.balance();
   append(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", scene.time, motion.energy(), whole.kinetic,

@@ -18,7 +18,7 @@ class MotionLog {
   long every() const { return every_; }
 
   // A row for the state at a step's end, if it is the turn of one.
-  void note(const scene::Scene& scene, const evolution::Motion& motion);
+  void note(const scene::Scene& scene, evolution::Motion& motion);
 
  private:
   void append(const std::string& text) const;
