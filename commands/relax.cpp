@@ -2,14 +2,16 @@
 #include <map>
 
 #include "evolution/levels.h"
-#include "evolution/methods.h"
+#include "evolution/minimisers.h"
+#include "evolution/relax_topology.h"
 #include "session/session.h"
+#include "session/topology_words.h"
 
 namespace lamella::session::commands {
 
 namespace {
 
-using evolution::Method;
+using evolution::Minimiser;
 
 struct RelaxOptions {
   std::optional<long> steps;
@@ -20,16 +22,17 @@ struct RelaxOptions {
   std::optional<double> to;
   double facets = 4e6;
   bool keep_mesh = false;
+  bool topology = false;
   double tolerance = 1e-10;
 };
 
 constexpr long most_iterations = 5000;
 
-const std::map<std::string, Method>& methods() {
-  static const std::map<std::string, Method> table{{"descent", Method::descent},
-                                                   {"cg", Method::conjugate},
-                                                   {"lbfgs", Method::lbfgs},
-                                                   {"newton", Method::newton}};
+const std::map<std::string, Minimiser>& methods() {
+  static const std::map<std::string, Minimiser> table{{"descent", Minimiser::descent},
+                                                      {"cg", Minimiser::conjugate},
+                                                      {"lbfgs", Minimiser::lbfgs},
+                                                      {"newton", Minimiser::newton}};
   return table;
 }
 
@@ -41,6 +44,9 @@ void check(const RelaxOptions& options) {
     throw text::Error("levels and to exclude each other", "to refines as often as it takes");
   if ((options.levels || options.to) && options.method)
     throw text::Error("levels are relaxed by all methods in turn", "leave the method out");
+  if (options.topology && (options.levels || options.to || options.method || options.keep_mesh))
+    throw text::Error("the topology changes on the way of relax alone",
+                      "relax topology first, then levels, to or a method");
 }
 
 evolution::LevelsReport relax(Session& session, const RelaxOptions& options) {
@@ -55,6 +61,12 @@ evolution::LevelsReport relax(Session& session, const RelaxOptions& options) {
   if (options.to) return evolution::relax_to(scene, *options.to, options.facets, wanted, session.monitor());
   if (options.levels) return evolution::relax_levels(scene, *options.levels, wanted, session.monitor());
   evolution::LevelsReport report;
+  if (options.topology) {
+    report.relax = relax_with_topology(
+        scene, wanted, session.monitor(),
+        [&](scene::Scene&, std::span<const surgery::Event> events) { tell_events(session, events); });
+    return report;
+  }
   report.relax = options.method ? relax_by(methods().at(*options.method), scene, wanted, session.monitor())
                                 : evolution::relax(scene, wanted, session.monitor());
   return report;
@@ -150,6 +162,8 @@ extern const Command relax_command = make_command<RelaxOptions>(
             "how vertices move: along normals only, or anywhere; in turn unless given")
          .one_of({"normal", "full"}),
      flag("keep_mesh", &RelaxOptions::keep_mesh, "no flips and no averaging on the way"),
+     flag("topology", &RelaxOptions::topology,
+          "films merge, pinch, pop and swap neighbours on the way, where they would collapse or do not keep"),
      option("tolerance", &RelaxOptions::tolerance, "estimated relative excess of the energy at which to end")
          .above(0)},
     run);

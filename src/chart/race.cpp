@@ -6,13 +6,13 @@
 #include <map>
 
 #include "evolution/adapt.h"
-#include "evolution/methods.h"
+#include "evolution/minimisers.h"
 
 namespace lamella::chart {
 
 namespace {
 
-using evolution::Method;
+using evolution::Minimiser;
 
 constexpr long most_iterations = 100000;
 constexpr double tolerance = 1e-10;
@@ -53,7 +53,7 @@ class Recorder : public scene::Monitor {
   std::vector<Sample> samples_;
 };
 
-void climb(Method method, scene::Scene& scene, const RaceOptions& options, Recorder& recorder) {
+void climb(Minimiser method, scene::Scene& scene, const RaceOptions& options, Recorder& recorder) {
   evolution::RelaxOptions wanted;
   wanted.most_iterations = most_iterations;
   wanted.tolerance = tolerance;
@@ -72,10 +72,10 @@ const std::vector<std::string>& own_methods() {
 
 Curve run_own(const std::string& method, scene::Scene scene, const RaceOptions& options,
               scene::Monitor& monitor, std::optional<evolution::Extrapolation>* relaxed) {
-  static const std::map<std::string, Method> single{{"lbfgs", Method::lbfgs},
-                                                    {"newton", Method::newton},
-                                                    {"cg", Method::conjugate},
-                                                    {"descent", Method::descent}};
+  static const std::map<std::string, Minimiser> single{{"lbfgs", Minimiser::lbfgs},
+                                                       {"newton", Minimiser::newton},
+                                                       {"cg", Minimiser::conjugate},
+                                                       {"descent", Minimiser::descent}};
   Recorder recorder(scene, options.limit, monitor);
   if (const auto at = single.find(method); at != single.end()) {
     climb(at->second, scene, options, recorder);

@@ -275,5 +275,46 @@ TEST(Relax, Refuses) {
   EXPECT_EQ(trial.number("total_area"), 6);
 }
 
+// Rings farther apart than a catenoid reaches: two discs, whose regular polygons of 24 sides have 12 sin(15)
+// r^2 each.
+TEST(RelaxTopology, PinchesWhereNoFilmReachesAcross) {
+  Trial trial("rings_apart.fe");
+  trial.out("start := 0.4; recalc; refine 3; relax topology; check");
+  EXPECT_EQ(trial.number("relax_converged"), 1);
+  EXPECT_EQ(trial.number("stable"), 1);
+  EXPECT_NEAR(trial.number("total_area"), M_PI / 2, 5e-3);
+  EXPECT_LT(trial.number("total_area"), M_PI / 2);  // inscribed
+}
+
+TEST(RelaxTopology, LeavesWhatNoSoapFilmKeeps) {
+  Trial trial("octahedral_cone.fe");
+  trial.out("relax topology; check");
+  EXPECT_EQ(trial.number("stable"), 1);
+  EXPECT_NEAR(trial.number("total_area"), 4 * std::sqrt(2), 1e-10);
+  Trial foam("four_bubbles.fe");
+  foam.out("refine; o; relax topology; check");
+  EXPECT_EQ(foam.number("stable"), 1);
+  for (const char* body : {"body[1]", "body[2]", "body[3]", "body[4]"}) {
+    const std::string b(body);
+    EXPECT_NEAR(foam.number(b + ".volume") / foam.number(b + ".target"), 1, 1e-12) << b;
+  }
+}
+
+TEST(RelaxTopology, IsRelaxWhereNothingIsToChange) {
+  Trial plain("double_bubble.fe");
+  Trial free("double_bubble.fe");
+  plain.out("refine 2; damping := 0.5; relax");
+  free.out("refine 2; damping := 0.5; relax topology");
+  EXPECT_EQ(free.number("total_area"), plain.number("total_area"));
+  EXPECT_EQ(free.number("damping"), 0.5);
+  EXPECT_EQ(free.number("total_time"), 0);
+}
+
+TEST(RelaxTopology, RefusesWhatDoesNotGoWithIt) {
+  Trial trial("cube.fe");
+  EXPECT_TRUE(contains(trial.failure("relax topology levels=2"), "relax topology first"));
+  EXPECT_TRUE(contains(trial.failure("relax topology method=cg"), "relax topology first"));
+}
+
 }  // namespace
 }  // namespace lamella::trial

@@ -1,4 +1,4 @@
-#include "evolution/methods.h"
+#include "evolution/minimisers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ void by_newton(solve::Problem& problem, scene::Scene& scene, const RelaxOptions&
 
 }  // namespace
 
-RelaxReport relax_by(Method method, scene::Scene& scene, const RelaxOptions& options,
+RelaxReport relax_by(Minimiser method, scene::Scene& scene, const RelaxOptions& options,
                      scene::Monitor& monitor) {
   RelaxReport report;
   solve::Problem problem(scene);
@@ -71,16 +71,16 @@ RelaxReport relax_by(Method method, scene::Scene& scene, const RelaxOptions& opt
   report.ending = solve::reach_volumes(scene, problem, x, report.energy);
   if (report.ending != Ending::converged) return report;
   switch (method) {
-    case Method::descent:
+    case Minimiser::descent:
       descend(problem, solve::DescentRule::steepest, x, options, monitor, report);
       break;
-    case Method::conjugate:
+    case Minimiser::conjugate:
       descend(problem, solve::DescentRule::conjugate, x, options, monitor, report);
       break;
-    case Method::lbfgs:
+    case Minimiser::lbfgs:
       by_lbfgs(problem, scene, options, monitor, report);
       break;
-    case Method::newton:
+    case Minimiser::newton:
       by_newton(problem, scene, options, monitor, report);
       break;
   }

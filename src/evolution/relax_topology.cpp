@@ -1,0 +1,118 @@
+#include "evolution/relax_topology.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "film/box_tree.h"
+#include "scene/constraint_sets.h"
+#include "surgery/pop.h"
+#include "surgery/regions.h"
+
+namespace lamella::evolution {
+
+namespace {
+
+using scene::Scene;
+using solve::Ending;
+
+constexpr int most_rounds = 30;
+// A wave crosses the film in its diameter's time (its speed is 1 at tension 1): damped over a sixth of that,
+// what moves creeps, and still gets anywhere.
+constexpr double damping_over_diameter = 6;
+constexpr long spell = 50;        // steps between two looks at whether all is at rest
+constexpr int most_spells = 12;   // in a round
+constexpr double at_rest = 1e-5;  // kinetic energy, as a part of the film's
+
+double diameter(const film::Film& film) {
+  const film::Box box = film::box_of(film.positions());
+  return length(box.high - box.low);
+}
+
+// Motion that leaves no trace in a scene but its film.
+class MotionAside {
+ public:
+  explicit MotionAside(Scene& scene)
+      : scene_(scene), time_(scene.time), work_(scene.work), damping_(scene.damping) {}
+  MotionAside(const MotionAside&) = delete;
+  MotionAside& operator=(const MotionAside&) = delete;
+  ~MotionAside() {
+    scene_.time = time_;
+    scene_.work = work_;
+    scene_.damping = damping_;
+    for (const char* name : {"velocity", "mass"}) scene_.film.columns(film::ElementKind::vertex).remove(name);
+  }
+
+ private:
+  Scene& scene_;
+  double time_;
+  double work_;
+  double damping_;
+};
+
+// Returns whether anything was popped.
+bool pop_all(Scene& scene, const OnEvents& on_events) {
+  std::vector<film::Edge> edges;
+  for (std::uint32_t e = 0; e < scene.film.edge_rows(); ++e) {
+    if (scene.film.valence(film::Edge(e)) > 3) edges.emplace_back(e);
+  }
+  surgery::PopReport report = surgery::pop_edges(scene, edges);
+  const surgery::PopReport points = surgery::pop_vertices(scene, surgery::illegal_vertices(scene));
+  report.events.insert(report.events.end(), points.events.begin(), points.events.end());
+  if (report.edges + report.vertices + points.edges + points.vertices == 0) return false;
+  surgery::settle_regions(scene, report.events, {});
+  scene.film.compact();
+  scene::constrain_vertices(scene);
+  if (on_events && !report.events.empty()) on_events(scene, report.events);
+  return true;
+}
+
+// Returns how the motion ended; `changed` tells whether the topology has.
+Ending creep(Scene& scene, scene::Monitor& monitor, const OnEvents& on_events, bool& changed) {
+  MotionAside aside(scene);
+  scene.damping = damping_over_diameter / diameter(scene.film);
+  StepSize size;
+  size.topology = true;
+  bool busy = false;
+  const OnEvents note = [&](Scene& now, std::span<const surgery::Event> events) {
+    busy = changed = true;
+    if (on_events) on_events(now, events);
+  };
+  TopologyMemory memory;
+  Ending ending = Ending::step_limit;
+  for (int i = 0; i < most_spells && ending == Ending::step_limit; ++i) {
+    busy = false;
+    const EvolveReport report = evolve(scene, spell, size, monitor, {}, note, &memory);
+    ending = report.ending;
+    if (!busy && report.kinetic < at_rest * report.energy) break;
+  }
+  return ending;
+}
+
+}  // namespace
+
+RelaxReport relax_with_topology(Scene& scene, const RelaxOptions& options, scene::Monitor& monitor,
+                                const OnEvents& on_events) {
+  RelaxReport report;
+  for (int round = 0; round < most_rounds && !scene.empty(); ++round) {
+    const Scene before = scene;
+    report = relax(scene, options, monitor);
+    if (report.ending == Ending::stopped) break;
+    if (report.converged()) {
+      if (report.crowded == 0 || !pop_all(scene, on_events)) break;
+      continue;
+    }
+    scene = before;
+    if (pop_all(scene, on_events)) continue;
+    bool changed = false;
+    const Ending ending = creep(scene, monitor, on_events, changed);
+    if (ending == Ending::stopped) {
+      report.ending = ending;
+      break;
+    }
+    // Nothing has happened, and nothing will.
+    if (!changed && ending != Ending::step_limit && ending != Ending::collapsed) break;
+  }
+  return report;
+}
+
+}  // namespace lamella::evolution
