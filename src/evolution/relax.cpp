@@ -289,7 +289,8 @@ void Relaxer::put_in_order() {
 // Facets as large as those of each film, or finer where these are too coarse for its shape. False, and the
 // film as it was, if that is not called for, or fails.
 bool Relaxer::renew_mesh() {
-  const bool wanted = options_.upkeep && scene_.has_fixed_volume() && !scene_.film.periodic();
+  const bool wanted =
+      options_.upkeep && options_.new_meshes && scene_.has_fixed_volume() && !scene_.film.periodic();
   if (!wanted || report_.new_meshes == most_new_meshes) return false;
   const film::Film before = scene_.film;
   const double energy = report_.energy;

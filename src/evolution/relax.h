@@ -15,6 +15,7 @@ struct RelaxOptions {
   double tolerance = 1e-10;                 // of the residual (solve/newton.h, solve/lbfgs.h)
   std::optional<solve::MotionKind> motion;  // unless given: all motions from afar, normal ones at the end
   bool upkeep = true;                       // flips and averaging while far from the end
+  bool new_meshes = true;                   // where the mesh is past mending
   bool near_start = false;                  // a refined equilibrium: Newton's method at once
   bool leave_saddle = false;                // go down from a saddle, and on to a minimum
 };

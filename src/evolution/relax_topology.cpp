@@ -93,9 +93,11 @@ Ending creep(Scene& scene, scene::Monitor& monitor, const OnEvents& on_events, b
 RelaxReport relax_with_topology(Scene& scene, const RelaxOptions& options, scene::Monitor& monitor,
                                 const OnEvents& on_events) {
   RelaxReport report;
+  RelaxOptions plain = options;
+  plain.new_meshes = false;  // where the film would collapse the mesh is mended in motion
   for (int round = 0; round < most_rounds && !scene.empty(); ++round) {
     const Scene before = scene;
-    report = relax(scene, options, monitor);
+    report = relax(scene, plain, monitor);
     if (report.ending == Ending::stopped) break;
     if (report.converged()) {
       if (report.crowded == 0 || !pop_all(scene, on_events)) break;

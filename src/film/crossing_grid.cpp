@@ -28,6 +28,13 @@ double CrossingGrid::Range::cells() const {
   return product;
 }
 
+bool CrossingGrid::Range::holds(const Range& other) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (other.low[k] < low[k] || other.high[k] > high[k]) return false;
+  }
+  return true;
+}
+
 CrossingGrid::CrossingGrid(const Film& film) : film_(film), width_(mean_edge(film)) {
   std::size_t buckets = 64;
   while (buckets < 4 * std::size_t{film.triangle_rows()}) buckets *= 2;
@@ -53,9 +60,14 @@ std::size_t CrossingGrid::bucket(int i, int j, int k) const {
 }
 
 void CrossingGrid::add(Triangle t) {
-  if (boxes_.size() < film_.triangle_rows()) boxes_.resize(film_.triangle_rows());
+  if (boxes_.size() < film_.triangle_rows()) {
+    boxes_.resize(film_.triangle_rows());
+    entered_.resize(film_.triangle_rows(), {{1, 1, 1}, {0, 0, 0}});
+  }
   boxes_[t.index] = box_of(film_.points(t));
   const Range cells = range(boxes_[t.index]);
+  if (entered_[t.index].holds(cells)) return;
+  entered_[t.index] = cells;
   if (cells.cells() > most_cells) {
     large_.push_back(t);
     return;

@@ -12,8 +12,8 @@
 namespace lamella::film {
 
 // The facets of a film in the cells of a grid as wide as the film's edges are on average. Facets that change
-// are added once more; what a cell still holds of them, or of facets that are gone, costs time and no more.
-// Not for periodic films.
+// are added once more where they leave the cells that they are in; what a cell still holds of them, or of
+// facets that are gone, costs time and no more. Not for periodic films.
 class CrossingGrid {
  public:
   explicit CrossingGrid(const Film& film);
@@ -37,6 +37,7 @@ class CrossingGrid {
     std::array<int, 3> low;
     std::array<int, 3> high;
     double cells() const;
+    bool holds(const Range& other) const;
   };
   Range range(const Box& box) const;
   std::size_t bucket(int i, int j, int k) const;
@@ -46,6 +47,7 @@ class CrossingGrid {
   const Film& film_;
   double width_ = 1;
   std::vector<Box> boxes_;            // of each facet when it was added last
+  std::vector<Range> entered_;        // the last range of cells that each was entered in
   std::vector<std::uint32_t> first_;  // entry of each bucket
   std::vector<Entry> entries_;
   std::vector<Triangle> large_;             // that would fill too many cells
