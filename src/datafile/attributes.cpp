@@ -40,9 +40,10 @@ constexpr std::array<KnownColumn, 20> column_table = {{
     {ElementKind::body, "original", Type::integer, 0, New::blank},
 }};
 
-constexpr std::array<CarriedColumn, 5> carried_table = {{
+constexpr std::array<CarriedColumn, 6> carried_table = {{
     {ElementKind::vertex, "velocity", 3, New::mean},
     {ElementKind::vertex, "mass", 1, New::blank},
+    {ElementKind::vertex, "mesh_size", 1, New::mean},
     {ElementKind::vertex, "swept_place", 3, New::blank},
     {ElementKind::body, "volume_defect", 4, New::blank, 3},
     {ElementKind::body, "swept_mark", 1, New::blank},

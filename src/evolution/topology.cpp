@@ -21,15 +21,16 @@ using scene::Scene;
 namespace {
 
 // In units of the mesh's size.
-constexpr double look_after = 0.05;  // the way of a vertex from look to look
+constexpr double look_after = 0.1;        // the way of a vertex from look to look
+constexpr double look_after_near = 0.05;  // where sheets are near one another
 constexpr double look_after_tight = 0.01;
 constexpr double mend_after = 0.2;  // and until what can wait is mended
 constexpr double look_at_end = 1e-3;
-constexpr double contact = 0.15;     // sheets nearer than this touch
-constexpr double list_margin = 0.5;  // of the list of near pairs
-constexpr double step_near = 0.05;   // the way in a step of sheets that are near one another
-constexpr double step_any = 0.25;    // and of any vertex: two cannot cross the margin of the list
-constexpr double hard_gap = 0.08;    // sheets that touch and cannot merge come no nearer
+constexpr double contact = 0.15;      // sheets nearer than this touch
+constexpr double near_margin = 0.15;  // beyond that, sheets are near one another
+constexpr double step_near = 0.05;    // the way in a step of sheets that are near one another
+constexpr double step_any = 0.25;     // and of any vertex
+constexpr double hard_gap = 0.08;     // sheets that touch and cannot merge come no nearer
 
 constexpr int most_rings_held = 5;  // around films that would meet where volumes are restored
 // The velocities around a change of the mesh are scaled by no more than this, to keep the energy.
@@ -174,7 +175,7 @@ class Touched {
 
 }  // namespace
 
-TopologyKeeper::TopologyKeeper() : proximity_(contact, list_margin) {}
+TopologyKeeper::TopologyKeeper() : proximity_(contact, near_margin) {}
 
 void TopologyKeeper::take_up(TopologyMemory& memory, const Film& film) {
   if (memory.position_revision != film.position_revision()) return;
@@ -226,7 +227,10 @@ bool TopologyKeeper::is_due(std::span<const Vec3> positions, double largest_move
   const double meantime = unseen_way_ > 0 ? unseen_way_ + largest_move : 0;
   unseen_way_ += largest_move;
   if (!at_end && unseen_way_ < way_left_) return false;
-  const double part = at_end ? look_at_end : tight_ ? look_after_tight : look_after;
+  const double part = at_end               ? look_at_end
+                      : tight_             ? look_after_tight
+                      : proximity_.empty() ? look_after
+                                           : look_after_near;
   double farthest = 0;  // in sizes
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const double way = length(positions[v] - seen_[v]);
@@ -251,9 +255,9 @@ bool TopologyKeeper::look(Scene& scene, bool sound, bool mend) {
   Film& film = scene.film;
   if (film.periodic()) return false;
   if (!surgery::has_sizes(film)) surgery::keep_sizes(film);
-  proximity_.update(film, watch_.cells());
-  const std::vector<surgery::Contact> contacts =
-      proximity_.empty() ? std::vector<surgery::Contact>{} : proximity_.contacts(film, film.positions());
+  if (!watch_.has_looked_at(film)) watch_.look(film);
+  proximity_.update(film, watch_.near_pairs());
+  const std::span<const surgery::Contact> contacts = proximity_.contacts();
   bool changed = false;
   tight_ = false;
   waits_ = !mend && !is_mending_due(film);

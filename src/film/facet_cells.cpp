@@ -36,7 +36,7 @@ bool FacetCells::holds(const Film& film) const {
   return true;
 }
 
-void FacetCells::make(const Film& film) {
+void FacetCells::make(const Film& film, std::span<const double> widths) {
   const std::uint32_t count = film.triangle_rows();
   const std::span<const Vec3> positions = film.positions();
   connectivity_ = film.connectivity_revision();
@@ -61,9 +61,8 @@ void FacetCells::make(const Film& film) {
     const Box box = box_of(p);
     const Vec3 middle = 0.5 / width_ * (box.low + box.high);
     const Vec3 half = 0.5 * (box.high - box.low);
-    const double wider = margin * longest_side(p);
-    const double reach = std::max({half.x, half.y, half.z}) + wider;
-    near_boxes_[t] = rounded_outward(box, wider + drift * width_);
+    const double reach = std::max({half.x, half.y, half.z}) + widths[t];
+    near_boxes_[t] = rounded_outward(box, widths[t] + drift * width_);
     const bool wide = reach > most_cells_wide * width_;
     if (!wide) reach_ = std::max(reach_, reach);
     keys_[t] = wide ? nowhere : key_of(cell(middle.x), cell(middle.y), cell(middle.z));

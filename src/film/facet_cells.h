@@ -19,9 +19,8 @@ class FacetCells {
  public:
   // Whether what it holds may be asked about a film as it is now.
   bool holds(const Film& film) const;
-  void make(const Film& film);
-  // The boxes of facets are widened by this part of their longest side.
-  static constexpr double margin = 0.2;
+  // The box of each facet is widened by a width of its own.
+  void make(const Film& film, std::span<const double> widths);
 
   // Calls function(i, Triangle) once for each of some boxes and each facet whose widened box may meet it: not
   // all do. Boxes that lie in one tower of cells are asked for together.
@@ -41,7 +40,7 @@ class FacetCells {
   }
 
  private:
-  static constexpr double drift = 0.25;  // of a cell, before it is made anew
+  static constexpr double drift = 0.1;  // of a cell, before it is made anew
   static constexpr double most_cells = 4000;
   static constexpr std::int64_t tower = 4;  // cells one above the other that lie in one bucket
 

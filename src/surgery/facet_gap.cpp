@@ -138,7 +138,7 @@ std::array<double, 2> room_at_edge(const Film& film, Triangle a, Triangle b, dou
     for (int m = 0; m < 3; ++m) {
       const Side other(b, m);
       if (film.edge_of(own).edge() != film.edge_of(other).edge()) continue;
-      const double turn = part * std::min(1.0, length(across(film, own) - across(film, other)));
+      const double turn = part * length(across(film, own) - across(film, other));
       return {turn * altitude_over(film, own), turn * altitude_over(film, other)};
     }
   }

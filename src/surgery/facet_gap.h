@@ -9,6 +9,13 @@ namespace lamella::surgery {
 
 using Corners = std::array<film::Vec3, 3>;
 
+// Two facets that have no corner in common and come near one another, and no more than the way between them.
+struct FacetPair {
+  film::Triangle a;
+  film::Triangle b;
+  double gap = 0;
+};
+
 // No more than the distance of two triangles, and cheaper: the largest gap between them along the line of
 // their middles, their normals and the axes. At most 0 where none of these separates them.
 double gap_at_least(const Corners& a, const Corners& b);
@@ -20,7 +27,8 @@ double distance(const Corners& a, const Corners& b);
 // side of a plane through that corner. At most 0 where they are not on two sides of the plane tried.
 std::array<double, 2> room_at_corner(const film::Film& film, film::Triangle a, film::Triangle b);
 
-// For two that have an edge in common: the part of each one's altitude, times the angle between them.
+// For two that have an edge in common: the part of each one's altitude, times the distance of unit vectors
+// along them, across the edge.
 std::array<double, 2> room_at_edge(const film::Film& film, film::Triangle a, film::Triangle b, double part);
 
 // Whether two triangles meet while their corners move from one place to the other at constant speeds. They do

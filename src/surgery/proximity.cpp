@@ -19,38 +19,20 @@ namespace {
 // vertex in its own sheet does not.
 constexpr double least_facing = 0.5;
 
-using Corners = std::array<Vec3, 3>;
-
-Corners corners_at(const Film& film, std::span<const Vec3> positions, Triangle t) {
-  const auto& c = film.corners(t);
-  return {positions[c[0].index], positions[c[1].index], positions[c[2].index]};
-}
-
 bool faces(const Corners& triangle, const Vec3& way) {
   const Vec3 n = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
   return std::abs(dot(n, way)) >= least_facing * length(n) * length(way);
 }
 
-// Whether facets touch a vertex or one of its neighbours, asked for one vertex after the other.
-class Ring {
- public:
-  explicit Ring(const Film& film) : film_(film), around_(film.vertex_rows()) {}
-  void go_to(Vertex v) {
-    if (at_ == v) return;
-    at_ = v;
-    around_[v.index] = v;
-    film_.for_each_end(v, [&](EdgeEnd end) { around_[film_.head(end.outward()).index] = v; });
-  }
-  bool touches(Triangle t) const {
-    const auto& c = film_.corners(t);
-    return around_[c[0].index] == at_ || around_[c[1].index] == at_ || around_[c[2].index] == at_;
-  }
-
- private:
-  const Film& film_;
-  Vertex at_;
-  std::vector<Vertex> around_;  // the last vertex gone to that each is, or is next to
-};
+// Whether a facet touches a vertex or one of its neighbours.
+bool touches_ring(const Film& film, Vertex v, Triangle t) {
+  const auto& corners = film.corners(t);
+  bool touches = std::find(corners.begin(), corners.end(), v) != corners.end();
+  film.for_each_end(v, [&](EdgeEnd end) {
+    touches = touches || std::find(corners.begin(), corners.end(), film.head(end.outward())) != corners.end();
+  });
+  return touches;
+}
 
 }  // namespace
 
@@ -81,61 +63,47 @@ Vec3 nearest_point(const Corners& t, const Vec3& p) {
   return t[0] + (vb / sum) * ab + (vc / sum) * ac;
 }
 
-void Proximity::update(const Film& film, film::FacetCells& cells) {
-  const std::span<const Vec3> positions = film.positions();
-  bool stale = connectivity_ != film.connectivity_revision() || built_at_.size() != positions.size();
-  for (std::size_t v = 0; v < positions.size() && !stale; ++v) {
-    const double most = 0.5 * margin_ * sizes_[v];
-    stale = squared_length(positions[v] - built_at_[v]) > most * most;
-  }
-  if (!stale) return;
-  if (!cells.holds(film)) cells.make(film);
-  build(film, cells);
-}
-
-void Proximity::build(const Film& film, film::FacetCells& cells) {
-  const std::span<const Vec3> positions = film.positions();
-  ++builds_;
+void Proximity::update(const Film& film, std::span<const FacetPair> facets) {
   connectivity_ = film.connectivity_revision();
-  built_at_.assign(positions.begin(), positions.end());
-  sizes_.resize(positions.size());
-  for (std::uint32_t v = 0; v < sizes_.size(); ++v)
-    sizes_[v] = film.alive(Vertex(v)) ? size_of(film, Vertex(v)) : 0;
   pairs_.clear();
-  asked_.clear();
-  askers_.clear();
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    const Vertex v(i);
-    if (!film.alive(v) || !film.first_end(v).valid()) continue;
-    askers_.push_back(v);
-    asked_.push_back(film::box_of(std::span(&positions[i], 1), (reach_ + margin_) * sizes_[i]));
+  contacts_.clear();
+  const std::span<const double> sizes = film.columns(film::ElementKind::vertex).reals(size_column);
+  const auto size = [&](Vertex v) {
+    return !sizes.empty() && sizes[v.index] > 0 ? sizes[v.index] : size_of(film, v);
+  };
+  const auto look_at = [&](Vertex v, Triangle t) {
+    const auto& corners = film.corners(t);
+    const double least = std::min({size(v), size(corners[0]), size(corners[1]), size(corners[2])});
+    const double most = reach_ * size(v) + margin_ * least;
+    const Corners points = film.points(t);
+    const Vec3& p = film.position(v);
+    const Vec3 way = p - nearest_point(points, p);
+    if (squared_length(way) < most * most && faces(points, way) && !touches_ring(film, v, t))
+      pairs_.push_back({v, t});
+  };
+  for (const FacetPair& pair : facets) {
+    const double most = reach_ + margin_;
+    const auto is_far = [&](Triangle t) {
+      const auto& corners = film.corners(t);
+      return std::all_of(corners.begin(), corners.end(), [&](Vertex v) { return pair.gap > most * size(v); });
+    };
+    if (!is_far(pair.a)) {
+      for (const Vertex v : film.corners(pair.a)) look_at(v, pair.b);
+    }
+    if (!is_far(pair.b)) {
+      for (const Vertex v : film.corners(pair.b)) look_at(v, pair.a);
+    }
   }
-  Ring ring(film);
-  cells.for_each_near(asked_, [&](std::uint32_t i, Triangle facet) {
-    const Vertex v = askers_[i];
-    const double reach = (reach_ + margin_) * sizes_[v.index];
-    const Vec3& at = positions[v.index];
-    ring.go_to(v);
-    if (ring.touches(facet)) return;
-    const Corners t = corners_at(film, positions, facet);
-    const Vec3 way = at - nearest_point(t, at);
-    if (squared_length(way) < reach * reach && faces(t, way)) pairs_.push_back({v, facet});
-  });
-}
-
-std::vector<Contact> Proximity::contacts(const Film& film, std::span<const Vec3> positions) const {
-  std::vector<Contact> found;
+  std::sort(pairs_.begin(), pairs_.end());
+  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
   for (const NearPair& pair : pairs_) {
-    const Vec3& p = positions[pair.vertex.index];
-    const Corners t = corners_at(film, positions, pair.facet);
-    const Vec3 at = nearest_point(t, p);
-    const double distance = length(p - at);
-    if (distance < reach_ * sizes_[pair.vertex.index] && faces(t, p - at))
-      found.push_back({pair, distance, at});
+    const Vec3& p = film.position(pair.vertex);
+    const Vec3 place = nearest_point(film.points(pair.facet), p);
+    const double distance = length(p - place);
+    if (distance < reach_ * size(pair.vertex)) contacts_.push_back({pair, distance, place});
   }
-  std::sort(found.begin(), found.end(),
-            [](const Contact& a, const Contact& b) { return a.distance < b.distance; });
-  return found;
+  std::stable_sort(contacts_.begin(), contacts_.end(),
+                   [](const Contact& a, const Contact& b) { return a.distance < b.distance; });
 }
 
 }  // namespace lamella::surgery

@@ -30,10 +30,9 @@ double mean_length(const Film& film, Vertex v) {
 Reals& sizes_of(Film& film) {
   film::Columns& columns = film.columns(ElementKind::vertex);
   film::Column* column = columns.edit(size_column);
-  if (column == nullptr) {
+  if (column == nullptr)
     column = &columns.add(film::real_column(size_column, 0, 1, film::Inheritance::New::mean));
-    column->inheritance.on_merge = film::Inheritance::Merge::mean;
-  }
+  column->inheritance.on_merge = film::Inheritance::Merge::mean;
   return std::get<Reals>(column->data);
 }
 
@@ -74,12 +73,11 @@ double size_of(const Film& film, Edge e) {
 }
 
 void keep_sizes(Film& film) {
-  const auto known = film.columns(ElementKind::vertex).reals(size_column);
-  bool complete = !known.empty();
-  for (std::uint32_t v = 0; v < known.size() && complete; ++v)
-    complete = known[v] > 0 || !film.alive(Vertex(v)) || !film.first_end(Vertex(v)).valid();
-  if (complete) return;
+  bool complete = has_sizes(film);
   Reals& sizes = sizes_of(film);
+  for (std::uint32_t v = 0; v < sizes.size() && complete; ++v)
+    complete = sizes[v] > 0 || !film.alive(Vertex(v)) || !film.first_end(Vertex(v)).valid();
+  if (complete) return;
   const Reals old = sizes;
   for (std::uint32_t v = 0; v < sizes.size(); ++v) {
     if (film.alive(Vertex(v)) && !(old[v] > 0)) sizes[v] = mean_length(film, Vertex(v));

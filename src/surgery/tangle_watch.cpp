@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "film/intersections.h"
-#include "surgery/facet_gap.h"
+#include "surgery/sizing.h"
 #include "surgery/wedge.h"
 
 namespace lamella::surgery {
 
-using film::Box;
 using film::Edge;
 using film::EdgeEnd;
 using film::Film;
@@ -20,19 +19,28 @@ using film::Vertex;
 
 namespace {
 
-// The way that a facet gets at most, in units of its longest side.
-constexpr double longest_way = film::FacetCells::margin;
+// The way that a facet gets beyond what is listed, in units of its longest side.
+constexpr double longest_way = 0.25;
+// Where more than this part of the facets have used up their ways all are listed anew: facets that lie side
+// by side are found together.
+constexpr double most_alone = 0.2;
 // Films at an edge cannot change places before the edges of a facet have changed by this part of its altitude
-// times the angle between them (at most 1 rad).
+// times the distance of unit vectors across the edge.
 constexpr double part_of_altitude = 0.15;
+// A sheet is flat around a vertex where the normals of its facets turn from their mean by less than what this
+// is the cosine of (37 degrees).
+constexpr double flat_cosine = 0.8;
+constexpr std::size_t most_in_fan = 32;
 
 double longest_side(const Corners& p) {
   return std::sqrt(
       std::max({squared_length(p[1] - p[0]), squared_length(p[2] - p[1]), squared_length(p[0] - p[2])}));
 }
 
-Box widened_box(const Corners& p) {
-  return film::box_of(p, longest_way * longest_side(p));
+// By how much the edges of a facet may change before its normal has turned to 80 degrees from an axis, in
+// units of its smallest altitude: no more than tan(b)/(1 + tan(b)), where b is what is left to that.
+double room_to_turn(double cosine) {
+  return 0.45 + 0.25 * (cosine - flat_cosine) / (1 - flat_cosine);
 }
 
 Tangle corners_of_both(const Film& film, Triangle a, Triangle b) {
@@ -55,14 +63,16 @@ bool TangleWatch::adopt(const Film& film) {
   const std::vector<std::array<Vertex, 3>>& corners = film.connectivity().triangle_vertices;
   if (corners_.size() != corners.size() || last_.size() != film.vertex_rows()) {
     corners_ = corners;
-    left_.assign(corners.size(), {});
+    known_.left.assign(corners.size(), {});
+    known_.pairs.clear();
+    known_.flat.assign(film.vertex_rows(), 0);
     last_.assign(film.positions().begin(), film.positions().end());
     return true;
   }
   for (std::size_t t = 0; t < corners.size(); ++t) {
     if (corners_[t] == corners[t]) continue;
     corners_[t] = corners[t];
-    left_[t] = {};
+    known_.left[t] = {};
   }
   return false;
 }
@@ -74,85 +84,147 @@ void TangleWatch::spend(const Film& film, std::span<const double> reaches) {
   if (reaches.size() == now.size()) {
     for (std::size_t v = 0; v < now.size(); ++v) reach_[v] = std::max(reach_[v], reaches[v]);
   }
-  stretched_.clear();
-  moved_.clear();
+  way_.assign(corners_.size(), 0);
   for (std::uint32_t t = 0; t < corners_.size(); ++t) {
     const auto& [a, b, c] = corners_[t];
-    Left& left = left_[t];
     const double way = std::max({reach_[a.index], reach_[b.index], reach_[c.index]});
-    if (way > 0) {
-      const Vec3 moves[3] = {now[a.index] - last_[a.index], now[b.index] - last_[b.index],
-                             now[c.index] - last_[c.index]};
-      left.edges -=
-          std::sqrt(std::max({squared_length(moves[0] - moves[1]), squared_length(moves[1] - moves[2]),
-                              squared_length(moves[2] - moves[0])}));
-      left.way -= way;
-    }
-    if (!(left.edges > 0)) stretched_.emplace_back(t);
-    if (!(left.way > 0)) moved_.emplace_back(t);
+    if (!(way > 0)) continue;
+    const Vec3 moves[3] = {now[a.index] - last_[a.index], now[b.index] - last_[b.index],
+                           now[c.index] - last_[c.index]};
+    Left& left = known_.left[t];
+    left.edges -=
+        std::sqrt(std::max({squared_length(moves[0] - moves[1]), squared_length(moves[1] - moves[2]),
+                            squared_length(moves[2] - moves[0])}));
+    left.way -= way;
+    way_[t] = way;
+  }
+  for (FacetPair& pair : known_.pairs) pair.gap -= way_[pair.a.index] + way_[pair.b.index];
+}
+
+// Which facets are looked at.
+void TangleWatch::choose(const Film& film) {
+  const std::span<const double> sizes = film.columns(film::ElementKind::vertex).reals(size_column);
+  stretched_.clear();
+  moved_.clear();
+  due_.assign(corners_.size(), {});
+  for (std::uint32_t t = 0; t < corners_.size(); ++t) {
+    const auto& [a, b, c] = corners_[t];
+    const double size = sizes.empty() ? 0 : std::max({sizes[a.index], sizes[b.index], sizes[c.index]});
+    due_[t] = {!(known_.left[t].edges > 0), !(known_.left[t].way > listed_reach * size)};
+    if (due_[t].edges) stretched_.emplace_back(t);
+    if (due_[t].way) moved_.emplace_back(t);
   }
 }
 
 std::vector<Tangle> TangleWatch::look(const Film& film, std::span<const double> reaches) {
   const bool is_another = adopt(film);
-  before_ = left_;
+  before_ = known_;
   spend(film, reaches);
+  choose(film);
   std::vector<Tangle> found;
-  looked_at_ += static_cast<long>(stretched_.size() + moved_.size());
-  // First all get what they may have at most, so that each pair can take from both; pairs of two that are
-  // looked at are so once.
-  due_.assign(corners_.size(), {});
-  for (const Triangle t : stretched_) {
-    left_[t.index].edges = longest_side(film.points(t));
-    due_[t.index].edges = true;
-  }
-  for (const Triangle t : moved_) {
-    left_[t.index].way = longest_way * longest_side(film.points(t));
-    due_[t.index].way = true;
-  }
-  borders_.clear();
-  for (const Triangle t : stretched_) look_around(film, t, found);
-  std::sort(borders_.begin(), borders_.end());
-  borders_.erase(std::unique(borders_.begin(), borders_.end()), borders_.end());
-  for (const Edge e : borders_) {
-    if (!is_out_of_order(film, e)) continue;
-    Tangle part(film.ends(e).begin(), film.ends(e).end());
-    film.for_each_side(e, [&](Side s) {
-      part.push_back(film.opposite(s));
-      left_[s.triangle().index].edges = 0;
-    });
-    found.push_back(std::move(part));
-  }
-  if (!moved_.empty() && !cells_.holds(film)) cells_.make(film);
-  look_about(film, found);
+  looked_at_ += static_cast<long>(stretched_.size());
+  look_around(film, found);
+  look_at_borders(film, found);
+  list_anew(film);
+  looked_at_ += static_cast<long>(moved_.size());
+  look_at_pairs(film, found);
+  near_ = known_.pairs;
+  positions_ = film.position_revision();
+  connectivity_ = film.connectivity_revision();
   if (found.empty())
     last_.assign(film.positions().begin(), film.positions().end());
   else
-    left_ = before_;
+    known_ = before_;
   if (!found.empty() && is_another) forget();  // nobody goes on from where it tangles
   return united(film, found);
 }
 
-void TangleWatch::note(const Film& film, Triangle t, Triangle other, std::vector<Tangle>& found) {
-  found.push_back(corners_of_both(film, t, other));
-  for (const Triangle each : {t, other}) left_[each.index] = {};
+// Facets whose edges have changed, and those that have a corner in common with them. First all get what they
+// may have at most, so that each vertex and each pair can take from it.
+void TangleWatch::look_around(const Film& film, std::vector<Tangle>& found) {
+  stamp_.resize(std::max<std::size_t>(stamp_.size(), film.vertex_rows()));
+  ++stamps_;
+  for (const Triangle t : stretched_) known_.left[t.index].edges = longest_side(film.points(t));
+  for (const Triangle t : stretched_) {
+    for (const Vertex v : film.corners(t)) {
+      if (stamp_[v.index] == stamps_) continue;
+      stamp_[v.index] = stamps_;
+      look_at_vertex(film, v);
+    }
+  }
+  borders_.clear();
+  for (const Triangle t : stretched_) {
+    // Pairs of two that are looked at are so once.
+    const auto was_compared = [&](Triangle other) { return due_[other.index].edges && other < t; };
+    for (const Vertex v : film.corners(t)) {
+      if (known_.flat[v.index] != 0) continue;
+      film.for_each_end(v, [&](EdgeEnd end) {
+        film.for_each_side(end.edge(), [&](Side s) {
+          // Once at each corner that they share; twice where they share two.
+          if (s.triangle() != t && film.tail(film.edge_of(s)) == v && !was_compared(s.triangle()))
+            compare_at_corner(film, t, s.triangle(), found);
+        });
+      });
+    }
+    for (const film::SignedEdge e : film.edges(t)) {
+      if (film.valence(e.edge()) > 2) borders_.push_back(e.edge());
+    }
+  }
 }
 
-// The facets that have a corner in common with this one.
-void TangleWatch::look_around(const Film& film, Triangle t, std::vector<Tangle>& found) {
-  const auto was_compared = [&](Triangle other) { return due_[other.index].edges && other < t; };
-  for (const Vertex v : film.corners(t)) {
-    film.for_each_end(v, [&](EdgeEnd end) {
-      film.for_each_side(end.edge(), [&](Side s) {
-        // Once at each corner that they share; twice where they share two.
-        if (s.triangle() != t && film.tail(film.edge_of(s)) == v && !was_compared(s.triangle()))
-          compare_at_corner(film, t, s.triangle(), found);
-      });
+// Facets around a vertex that is no longer flat are to be listed with all that is near them.
+void TangleWatch::look_at_vertex(const Film& film, Vertex v) {
+  const bool was_flat = known_.flat[v.index] != 0;
+  known_.flat[v.index] = find_flat(film, v) ? 1 : 0;
+  if (!was_flat || known_.flat[v.index] != 0) return;
+  film.for_each_end(v, [&](EdgeEnd end) {
+    film.for_each_side(end.edge(), [&](Side s) {
+      Due& due = due_[s.triangle().index];
+      if (!due.way) moved_.push_back(s.triangle());
+      due.way = true;
     });
+  });
+}
+
+// Whether the facets at a vertex go once around it in one sheet, their normals near a mean. Then a plane
+// shows them side by side, and does so until one of the normals has turned by a right angle from that mean.
+bool TangleWatch::find_flat(const Film& film, Vertex v) {
+  const EdgeEnd first = film.first_end(v);
+  if (film.periodic() || !first.valid() || !film.first_side(first.edge()).valid()) return false;
+  ring_.clear();
+  Side s = film.first_side(first.edge());
+  Vec3 axis;
+  do {
+    const Triangle t = s.triangle();
+    const film::SignedEdge edge = film.edge_of(s);
+    const bool leads_out = film.tail(edge) == v;
+    ring_.push_back({t, film.position(leads_out ? film.head(edge) : film.tail(edge)) - film.position(v)});
+    const Side other(t, leads_out ? film::previous_corner(s.corner()) : film::next_corner(s.corner()));
+    s = film.next_around(other);
+    if (s == other || film.next_around(s) != other || ring_.size() > most_in_fan) return false;
+  } while (film.edge_of(s).edge() != first.edge());
+  std::size_t ends = 0;
+  film.for_each_end(v, [&](EdgeEnd) { ++ends; });
+  if (ends != ring_.size()) return false;
+  const auto after = [&](std::size_t i) -> const Vec3& { return ring_[i + 1 < ends ? i + 1 : 0].to; };
+  for (std::size_t i = 0; i < ends; ++i) axis += unit(cross(ring_[i].to, after(i)));
+  axis = unit(axis);
+  const Vec3 upward = cross(axis, ring_[0].to + 0.5 * after(0));
+  int turns = 0;
+  for (std::size_t i = 0; i < ends; ++i) {
+    const Vec3 normal = cross(ring_[i].to, after(i));
+    if (!(dot(normal, axis) > flat_cosine * length(normal))) return false;
+    if (dot(upward, ring_[i].to) < 0 && dot(upward, after(i)) >= 0) ++turns;
   }
-  for (const film::SignedEdge e : film.edges(t)) {
-    if (film.valence(e.edge()) > 2) borders_.push_back(e.edge());
+  if (turns != 1) return false;
+  for (std::size_t i = 0; i < ends; ++i) {
+    const Vec3 normal = cross(ring_[i].to, after(i));
+    const double twice = length(normal);
+    const double longest = longest_side({Vec3{}, ring_[i].to, after(i)});
+    double& left = known_.left[ring_[i].facet.index].edges;
+    left = std::min(left, twice / longest * room_to_turn(dot(normal, axis) / twice));
   }
+  return true;
 }
 
 void TangleWatch::compare_at_corner(const Film& film, Triangle t, Triangle other,
@@ -160,47 +232,99 @@ void TangleWatch::compare_at_corner(const Film& film, Triangle t, Triangle other
   const int shared = shared_corners(film.corners(t), film.corners(other));
   const std::array<double, 2> room =
       shared == 1 ? room_at_corner(film, t, other) : room_at_edge(film, t, other, part_of_altitude);
-  double& own = left_[t.index].edges;
-  double& others = left_[other.index].edges;
+  double& own = known_.left[t.index].edges;
+  double& others = known_.left[other.index].edges;
   own = std::min(own, room[0]);
   others = std::min(others, room[1]);
   if (std::min(room[0], room[1]) > 0) return;
-  if (film::facets_cross(film, t, other)) note(film, t, other, found);
+  if (film::facets_cross(film, t, other)) found.push_back(corners_of_both(film, t, other));
 }
 
-// In this call.
-const Box& TangleWatch::box_of(const Film& film, Triangle t) {
-  if (boxed_[t.index] != call_) {
-    boxed_[t.index] = call_;
-    boxes_[t.index] = widened_box(film.points(t));
+void TangleWatch::look_at_borders(const Film& film, std::vector<Tangle>& found) {
+  std::sort(borders_.begin(), borders_.end());
+  borders_.erase(std::unique(borders_.begin(), borders_.end()), borders_.end());
+  for (const Edge e : borders_) {
+    if (!is_out_of_order(film, e)) continue;
+    Tangle part(film.ends(e).begin(), film.ends(e).end());
+    film.for_each_side(e, [&](Side s) { part.push_back(film.opposite(s)); });
+    found.push_back(std::move(part));
   }
-  return boxes_[t.index];
 }
 
-// The facets near those that moved that have no corner in common with them.
-void TangleWatch::look_about(const Film& film, std::vector<Tangle>& found) {
+// A facet may not have more left than its box in the cells is wider: others were not found by more.
+void TangleWatch::make_cells(const Film& film) {
+  const std::span<const double> sizes = film.columns(film::ElementKind::vertex).reals(size_column);
+  widths_.resize(corners_.size());
+  for (std::uint32_t t = 0; t < corners_.size(); ++t) {
+    const auto& [a, b, c] = corners_[t];
+    const double size = sizes.empty() ? 0 : std::max({sizes[a.index], sizes[b.index], sizes[c.index]});
+    widths_[t] = longest_way * longest_side(film.points(Triangle(t))) + listed_reach * size;
+    known_.left[t].way = std::min(known_.left[t].way, widths_[t]);
+  }
+  cells_.make(film, widths_);
+}
+
+// Marks the vertices next to a facet's corners, if those and all of them are flat.
+bool TangleWatch::stamp_ring(const Film& film, Triangle t) {
+  ++stamps_;
+  const auto& corners = film.corners(t);
+  if (std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return known_.flat[v.index] == 0; }))
+    return false;
+  for (const Vertex v : corners)
+    film.for_each_end(v, [&](EdgeEnd end) { stamp_[film.head(end.outward()).index] = stamps_; });
+  return true;
+}
+
+// The pairs of those facets that have used up their way.
+void TangleWatch::list_anew(const Film& film) {
+  if (moved_.empty()) return;
+  const bool all = static_cast<double>(moved_.size()) > most_alone * static_cast<double>(corners_.size());
+  if (all) {
+    moved_.clear();
+    for (std::uint32_t t = 0; t < corners_.size(); ++t) {
+      moved_.emplace_back(t);
+      due_[t].way = true;
+    }
+  }
+  if (all || !cells_.holds(film)) make_cells(film);
+  std::erase_if(known_.pairs,
+                [&](const FacetPair& pair) { return due_[pair.a.index].way || due_[pair.b.index].way; });
   asked_.clear();
-  boxes_.resize(film.triangle_rows());
-  boxed_.resize(film.triangle_rows());
-  ++call_;
-  for (const Triangle t : moved_) asked_.push_back(box_of(film, t));
+  for (const Triangle t : moved_) {
+    known_.left[t.index].way = widths_[t.index];
+    asked_.push_back(film::box_of(film.points(t), widths_[t.index]));
+  }
+  Triangle at;
+  bool is_flat = false;
   cells_.for_each_near(asked_, [&](std::uint32_t i, Triangle other) {
     const Triangle t = moved_[i];
-    const bool was_compared = due_[other.index].way && other < t;
-    if (other != t && !was_compared && shared_corners(film.corners(t), film.corners(other)) == 0 &&
-        box_of(film, other).meets(asked_[i]))
-      compare_apart(film, t, other, found);
+    if (other == t || (due_[other.index].way && other < t)) return;
+    const auto& corners = film.corners(other);
+    if (shared_corners(film.corners(t), corners) > 0) return;
+    const Corners own = film.points(t);
+    const Corners others = film.points(other);
+    if (!film::box_of(others, widths_[other.index]).meets(asked_[i])) return;
+    if (at != t) is_flat = stamp_ring(film, t);
+    at = t;
+    const auto is_flat_at = [&](Vertex v) { return known_.flat[v.index] != 0; };
+    const auto is_near = [&](Vertex v) { return stamp_[v.index] == stamps_; };
+    if (is_flat && std::any_of(corners.begin(), corners.end(), is_near) &&
+        std::all_of(corners.begin(), corners.end(), is_flat_at))
+      return;
+    const double gap = std::max(0.0, gap_at_least(own, others));
+    if (gap > widths_[t.index] + widths_[other.index]) return;
+    known_.pairs.push_back({t, other, gap > way_[t.index] + way_[other.index] ? gap : 0});
   });
 }
 
-void TangleWatch::compare_apart(const Film& film, Triangle t, Triangle other, std::vector<Tangle>& found) {
-  const double gap = std::max(0.0, gap_at_least(film.points(t), film.points(other)));
-  double& own = left_[t.index].way;
-  double& others = left_[other.index].way;
-  own = std::min(own, 0.5 * gap);
-  others = std::min(others, 0.5 * gap);
-  if ((gap <= 0 && film::facets_cross(film, t, other)) || have_met(film, t, other))
-    note(film, t, other, found);
+// Those whose gap is used up.
+void TangleWatch::look_at_pairs(const Film& film, std::vector<Tangle>& found) {
+  for (FacetPair& pair : known_.pairs) {
+    if (pair.gap > 0) continue;
+    pair.gap = std::max(0.0, gap_at_least(film.points(pair.a), film.points(pair.b)));
+    if ((pair.gap <= 0 && film::facets_cross(film, pair.a, pair.b)) || have_met(film, pair.a, pair.b))
+      found.push_back(corners_of_both(film, pair.a, pair.b));
+  }
 }
 
 // Whether two facets have met on the way since the last look.
@@ -223,21 +347,33 @@ bool TangleWatch::have_met(const Film& film, Triangle t, Triangle other) const {
 void TangleWatch::before_compaction(const Film& film) {
   const auto& corners = film.connectivity().triangle_vertices;
   spend(film, {});
+  known_.flat.resize(film.vertex_rows());
   std::vector<Vertex> row(film.vertex_rows());
+  std::vector<std::uint8_t> flat;
   last_.clear();
   for (std::uint32_t v = 0; v < row.size(); ++v) {
     if (!film.alive(Vertex(v))) continue;
     row[v] = Vertex(static_cast<std::uint32_t>(last_.size()));
     last_.push_back(film.position(Vertex(v)));
+    flat.push_back(known_.flat[v]);
   }
   std::vector<std::array<Vertex, 3>> kept;
   std::vector<Left> left;
+  std::vector<Triangle> facet(corners.size());  // of those that are what they were
   for (std::uint32_t t = 0; t < corners.size(); ++t) {
     if (!film.alive(Triangle(t))) continue;
-    left.push_back(t < corners_.size() && corners_[t] == corners[t] ? left_[t] : Left{});
+    const bool same = t < corners_.size() && corners_[t] == corners[t];
+    if (same) facet[t] = Triangle(static_cast<std::uint32_t>(kept.size()));
+    left.push_back(same ? known_.left[t] : Left{});
     kept.push_back({row[corners[t][0].index], row[corners[t][1].index], row[corners[t][2].index]});
   }
-  left_ = std::move(left);
+  std::vector<FacetPair> pairs;
+  for (const FacetPair& pair : known_.pairs) {
+    const Triangle a = facet[pair.a.index];
+    const Triangle b = facet[pair.b.index];
+    if (a.valid() && b.valid()) pairs.push_back({a, b, pair.gap});
+  }
+  known_ = {std::move(left), std::move(pairs), std::move(flat)};
   corners_ = std::move(kept);
 }
 

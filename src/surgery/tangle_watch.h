@@ -1,11 +1,15 @@
 // Whether a film in motion has come to pass through itself, asked again and again.
 //
-// Two facets that are a gap s apart cannot meet before their vertices have moved s together. So each facet
-// has a way left that it may go before it must be looked at again, and of a film that hardly moves, or moves
-// as a whole, next to nothing is. Facets that share a vertex are kept apart by a plane through it: there it
-// is the change of their edges that counts. Of facets that are looked at and have no vertex in common, the
-// way since the last look is followed, too, taken as straight: they may not pass through one another between
-// two looks and come out on the other side.
+// Two facets that are a gap s apart cannot meet before their vertices have moved s together. So pairs of
+// facets that come near one another are listed, each with its gap, and each facet has a way that it may go
+// before its list must be made anew: of a film that hardly moves next to nothing is looked at. Of pairs whose
+// gap is used up, the way since the last look is followed, too, taken as straight: they may not pass through
+// one another between two looks and come out on the other side.
+//
+// Facets that share a vertex are looked at when their edges have changed. Where a vertex lies inside a sheet
+// that is flat around it, they cannot meet as long as no normal has turned too far; elsewhere pairs of them
+// are kept apart by a plane through the vertex. Facets of one flat sheet that are neighbours of neighbours
+// are not listed either.
 #pragma once
 
 #include <span>
@@ -13,6 +17,7 @@
 
 #include "film/facet_cells.h"
 #include "film/film.h"
+#include "surgery/facet_gap.h"
 #include "surgery/tangle.h"
 
 namespace lamella::surgery {
@@ -25,11 +30,21 @@ class TangleWatch {
   // After surgery, before rows move: what is known of facets that stay is kept.
   void before_compaction(const film::Film& film);
   // The film was put elsewhere, or it is not sound: how it came there does not count.
-  void forget() { corners_.clear(); }
+  void forget() {
+    corners_.clear();
+    known_.pairs.clear();
+  }
   // Whether it has a film to go on from.
   bool knows_film() const { return !corners_.empty(); }
-  // What it finds facets by, for others who look for what is near.
-  film::FacetCells& cells() { return cells_; }
+  // Pairs as of the last call, in no particular order. A facet that is nearer to another than `listed_reach`
+  // times the size of one of its vertices is in a pair with it, unless they share a vertex or lie in one flat
+  // sheet.
+  std::span<const FacetPair> near_pairs() const { return near_; }
+  static constexpr double listed_reach = 0.15;
+  // Whether the last call was about a film as it is now.
+  bool has_looked_at(const film::Film& film) const {
+    return positions_ == film.position_revision() && connectivity_ == film.connectivity_revision();
+  }
   // Facets that were looked at, over all calls.
   long looked_at() const { return looked_at_; }
 
@@ -39,23 +54,33 @@ class TangleWatch {
     double edges = 0;
     double way = 0;
   };
+  // What is known of a film.
+  struct Known {
+    std::vector<Left> left;
+    std::vector<FacetPair> pairs;
+    std::vector<std::uint8_t> flat;  // vertices around which the sheet is flat
+  };
   bool adopt(const film::Film& film);
   void spend(const film::Film& film, std::span<const double> reaches);
-  void look_around(const film::Film& film, film::Triangle t, std::vector<Tangle>& found);
+  void choose(const film::Film& film);
+  void look_around(const film::Film& film, std::vector<Tangle>& found);
+  void look_at_vertex(const film::Film& film, film::Vertex v);
+  bool find_flat(const film::Film& film, film::Vertex v);
   void compare_at_corner(const film::Film& film, film::Triangle t, film::Triangle other,
                          std::vector<Tangle>& found);
-  void look_about(const film::Film& film, std::vector<Tangle>& found);
-  const film::Box& box_of(const film::Film& film, film::Triangle t);
-  void compare_apart(const film::Film& film, film::Triangle t, film::Triangle other,
-                     std::vector<Tangle>& found);
+  void look_at_borders(const film::Film& film, std::vector<Tangle>& found);
+  void list_anew(const film::Film& film);
+  void make_cells(const film::Film& film);
+  bool stamp_ring(const film::Film& film, film::Triangle t);
+  void look_at_pairs(const film::Film& film, std::vector<Tangle>& found);
   bool have_met(const film::Film& film, film::Triangle t, film::Triangle other) const;
-  void note(const film::Film& film, film::Triangle t, film::Triangle other, std::vector<Tangle>& found);
 
   std::vector<std::array<film::Vertex, 3>> corners_;
-  std::vector<Left> left_;
-  std::vector<Left> before_;      // at the last call that found nothing
+  Known known_;
+  Known before_;                  // at the last call that found nothing
   std::vector<film::Vec3> last_;  // where vertices were at the last call
   std::vector<double> reach_;     // how far they have been from there
+  std::vector<double> way_;       // the same of facets
   struct Due {
     bool edges = false;
     bool way = false;
@@ -65,10 +90,18 @@ class TangleWatch {
   std::vector<film::Triangle> moved_;
   std::vector<film::Edge> borders_;
   film::FacetCells cells_;
-  std::vector<film::Box> boxes_;      // widened, those that were needed in this call
-  std::vector<std::uint32_t> boxed_;  // the call that made them
-  std::uint32_t call_ = 0;
-  std::vector<film::Box> asked_;  // of those that moved, widened
+  std::vector<double> widths_;        // of facets, in the cells
+  std::vector<film::Box> asked_;      // of those that moved, widened
+  std::vector<std::uint32_t> stamp_;  // of vertices: what they were met for last
+  std::uint32_t stamps_ = 0;
+  struct Ring {
+    film::Triangle facet;
+    film::Vec3 to;  // from the vertex to the corner by which a walk around it comes to the facet
+  };
+  std::vector<Ring> ring_;
+  std::vector<FacetPair> near_;
+  std::uint64_t positions_ = 0;  // of the film at the last call
+  std::uint64_t connectivity_ = 0;
   long looked_at_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include "surgery/regions.h"
 #include "surgery/shrink.h"
 #include "surgery/sizing.h"
+#include "surgery/tangle_watch.h"
 
 namespace lamella::surgery {
 namespace {
@@ -145,10 +146,11 @@ TEST(Merge, BallsThatTouch) {
         Scene scene = both(a, b);
         ASSERT_TRUE(film::self_intersections(scene.film).empty());
         keep_sizes(scene.film);
-        film::FacetCells cells;
-        Proximity proximity(0.6, 0.5);
-        proximity.update(scene.film, cells);
-        const auto contacts = proximity.contacts(scene.film, scene.film.positions());
+        TangleWatch watch;
+        watch.look(scene.film);
+        Proximity proximity(0.6, 0);
+        proximity.update(scene.film, watch.near_pairs());
+        const auto contacts = proximity.contacts();
         ASSERT_FALSE(contacts.empty());
         bool merged = false;
         for (std::size_t i = 0; i < contacts.size() && i < 6 && !merged; ++i)
@@ -171,12 +173,11 @@ TEST(Merge, BallsThatTouch) {
 TEST(Proximity, EmptyWhereSheetsKeepApart) {
   Scene scene = both(ball({}, 3), ball({0, 0, 3}, 3));
   keep_sizes(scene.film);
-  film::FacetCells cells;
+  TangleWatch watch;
+  watch.look(scene.film);
   Proximity proximity(0.15, 0.5);
-  proximity.update(scene.film, cells);
+  proximity.update(scene.film, watch.near_pairs());
   EXPECT_TRUE(proximity.empty());
-  proximity.update(scene.film, cells);
-  EXPECT_EQ(proximity.builds(), 1);
 }
 
 // A body of two balls becomes two, and the target is shared by their volumes.
