@@ -118,8 +118,11 @@ void run(Session& session, const EvolveOptions& options) {
                       report.ending != solve::Ending::converged && report.ending != solve::Ending::collapsed;
   if (failed) fail(report);
   if (options.dt && report.substeps > report.steps) {
-    session.tell("dt {:g} is too long for stability (bound {:.3g}): {} made in {} parts\n", *options.dt,
-                 report.bound, counted(report.steps, "step"), report.substeps);
+    const bool stable = evolution::is_implicit(size.method) || *options.dt < report.bound;
+    session.tell("dt {:g} is too long for {}: {} made in {} parts\n", *options.dt,
+                 stable ? "films that come so near one another"
+                        : fmt::format("stability (bound {:.3g})", report.bound),
+                 counted(report.steps, "step"), report.substeps);
   }
   if (report.ending == solve::Ending::collapsed) {
     session.warn(fmt::format("stopped after {}: facets shrink to nothing, as where a neck pinches",

@@ -12,7 +12,7 @@ echo "scene,steps,facets,pinch,merge,t1,vanish,split,birth,pop,checks failed,are
 scene() {
   log=$work/$1.csv
   blocks=$(($4 / 50))
-  text="topology on; $3; log events \"$log\"; log \"$work/motion.csv\""
+  text="$3; log events \"$log\"; log \"$work/motion.csv\""
   i=0
   while [ $i -lt $blocks ]; do
     text="$text; evolve 50; check"

@@ -16,7 +16,7 @@ sh "$folder/datafiles/lattice.sh" 5 > "$work/lattice125.fe"
 # scene NAME FILE SETUP STEPS
 scene() {
   for run in 1 2 3; do
-    text="topology on; $3; log events \"$work/events.csv\"; evolve $4; print step_ms; print step_surgery_ms; print facet_count"
+    text="$3; log events \"$work/events.csv\"; evolve $4; print step_ms; print step_surgery_ms; print facet_count"
     "$program" -q "$2" -e "$text" 2> /dev/null | tail -3 | tr '\n' ' '
     echo "$(($(wc -l < "$work/events.csv") - 1))"
   done | sort -g | head -1 | awk -v name="$1" -v steps="$4" '{ print name "," $3 "," $1 "," $2 "," steps "," $4 }' >> "$table"

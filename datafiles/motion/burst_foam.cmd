@@ -1,6 +1,5 @@
 // On six_bubbles.fe: the bubbles of a foam burst one after the other, and what is left comes to rest each time
 // (Ishida et al. 2017, figure 5).
-topology on
 refine 3; relax
 damping := 4
 number := 6

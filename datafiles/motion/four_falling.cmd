@@ -1,6 +1,5 @@
 // On four_falling.fe: the bubbles fall, sink into the film, and come to rest as lenses in it (Ishida et al. 2017,
 // figure 1).
-topology on
 refine 2; relax
 set vertex velocity[3] z > 0.2 ? -0.5 : 0
 damping := 0.5

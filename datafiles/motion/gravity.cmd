@@ -1,6 +1,5 @@
 // On wire_cube.fe: the films in a wire cube under gravity, then under twenty times as much (Ishida et al. 2017,
 // figure 9). Gravity draws films together below, so the mesh is kept.
-topology on
 refine 3; relax
 damping := 2
 force (0, 0, -0.05)

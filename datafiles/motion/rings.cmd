@@ -1,7 +1,6 @@
 // On moving_rings.fe: the film comes to rest between the rings (exact area 1.648957), which are then pulled
 // apart at 0.04 each. Beyond a half distance of 0.331 no film can hang between them: it pinches and becomes
 // two discs (Ishida et al. 2017, figure 6).
-topology on
 refine 3; relax
 print total_area
 damping := 1

@@ -1,6 +1,5 @@
 // On four_bubbles.fe: the edge of four films parts, and two of the bubbles, 2 and 3, share a film. Sheared, the
 // other two, 1 and 4, come together in their stead (a T1).
-topology on
 refine 2
 damping := 3
 evolve 160

@@ -1,6 +1,5 @@
 // On swept_ring.fe: a ring is swept through the air. Its film bulges behind it until its neck closes: a bubble is
 // left behind, and its volume is kept from then on.
-topology on
 speed := 3
 refine 3
 wind (0, 0, 0) pressure 2

@@ -43,7 +43,7 @@ constexpr std::array<KnownColumn, 20> column_table = {{
 constexpr std::array<CarriedColumn, 6> carried_table = {{
     {ElementKind::vertex, "velocity", 3, New::mean},
     {ElementKind::vertex, "mass", 1, New::blank},
-    {ElementKind::vertex, "mesh_size", 1, New::mean},
+    {ElementKind::vertex, "mesh_size", 1, New::mean, 0, film::Inheritance::Merge::mean},
     {ElementKind::vertex, "swept_place", 3, New::blank},
     {ElementKind::body, "volume_defect", 4, New::blank, 3},
     {ElementKind::body, "swept_mark", 1, New::blank},
@@ -125,7 +125,9 @@ const CarriedColumn* carried_column(ElementKind kind, std::string_view name) {
 
 film::Column declared_column(ElementKind kind, std::string name, bool integer, std::vector<int> shape) {
   if (const CarriedColumn* carried = carried_column(kind, name)) {
-    return film::real_column(std::move(name), 0, carried->width, carried->on_new);
+    film::Column column = film::real_column(std::move(name), 0, carried->width, carried->on_new);
+    column.inheritance.on_merge = carried->on_merge;
+    return column;
   }
   film::Column column;
   column.name = std::move(name);

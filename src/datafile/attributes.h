@@ -34,9 +34,10 @@ struct CarriedColumn {
   film::Inheritance::New on_new = film::Inheritance::New::blank;
   // Files of earlier versions may have kept only the first so many of its numbers; 0 if they have not.
   int least = 0;
+  film::Inheritance::Merge on_merge = film::Inheritance{}.on_merge;
 };
 
-// The motion of the vertices and what it remembers of volumes.
+// The motion of the vertices, what it remembers of volumes, and the size that the mesh is kept at.
 std::span<const CarriedColumn> carried_columns();
 const CarriedColumn* carried_column(film::ElementKind kind, std::string_view name);
 

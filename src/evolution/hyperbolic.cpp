@@ -119,7 +119,7 @@ Ending Walk::advance(double dt, long steps) {
     if (monitor_.watched()) motion_->store();
     monitor_.progress(report_.steps, steps, motion_->energy());
     if (monitor_.stop_requested()) return Ending::stopped;
-    const double most = part_of_step(fraction * motion_->largest_step());
+    const double most = part_of_step(std::min(dt, fraction * motion_->largest_step()));
     const double pieces = std::ceil(left / most * (1 - 1e-12));
     const double piece = std::ldexp(left / std::max(1.0, pieces), -halvings);
     const Ending ending = motion_->step(piece);
@@ -134,12 +134,14 @@ Ending Walk::advance(double dt, long steps) {
     // A step whose size is left to the motion ends where it would take too many parts.
     const bool whole = end - scene_.time <= nothing || (!size_.fixed && ++parts >= most_parts);
     const bool last = report_.steps + 1 == steps && whole;
+    const double then = scene_.time;
     if (!keep_topology(last)) return Ending::tangled;
+    const bool was_taken_back = scene_.time < then;
     best_fitness_ = std::max(best_fitness_, motion_->fitness());
     if (size_.upkeep && motion_->fitness() < lost * best_fitness_) return Ending::collapsed;
     report_.smallest_dt = report_.smallest_dt == 0 ? piece : std::min(report_.smallest_dt, piece);
     report_.largest_dt = std::max(report_.largest_dt, piece);
-    if (whole) break;
+    if (whole && !was_taken_back) break;
   }
   ++report_.steps;
   if (after_step_) after_step_(*motion_, report_.steps);

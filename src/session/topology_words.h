@@ -12,9 +12,9 @@ namespace lamella::session {
 
 class Session;
 
-// Whether evolve changes the topology of films; it does when told.
+// Whether evolve changes the topology of films; it does unless told otherwise.
 struct TopologySwitch {
-  bool on = false;
+  bool on = true;
 };
 
 // What runs when films change their topology, by the kind of event.

@@ -164,10 +164,11 @@ TEST(Evolve, ATableThatRisesCarriesTheDrop) {
   EXPECT_NEAR(trial.number("max(vertices where z < 0.0401, abs(velocity[3] - 0.2))"), 0, 1e-8);
 }
 
-// Beyond 1.325 radii no film hangs between the rings: the neck pinches, and evolve does not go on for ever.
+// Beyond 1.325 radii no film hangs between the rings: the neck closes, and where the topology is kept evolve
+// does not go on for ever.
 TEST(Evolve, StopsWhereANeckPinches) {
   Trial trial("moving_rings.fe");
-  trial.out("refine 2; relax; damping := 1; speed := 0.04; start := total_time");
+  trial.out("topology off; refine 2; relax; damping := 1; speed := 0.04; start := total_time");
   const Ran ran = trial.run("evolve 500 dt 0.01");
   EXPECT_EQ(ran.outcome, session::Outcome::done);
   EXPECT_TRUE(contains(ran.messages, "facets shrink to nothing")) << ran.messages;

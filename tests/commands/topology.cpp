@@ -3,9 +3,9 @@
 namespace lamella::trial {
 namespace {
 
-TEST(Topology, IsOffUntilTurnedOn) {
+TEST(Topology, IsOnUntilTurnedOff) {
   Trial trial("cube.fe");
-  EXPECT_EQ(trial.out("topology"), "topology off\n");
+  EXPECT_EQ(trial.out("topology"), "topology on\n");
   EXPECT_EQ(trial.out("topology off; topology"), "topology off\n");
   EXPECT_EQ(trial.out("topology on; topology"), "topology on\n");
   EXPECT_TRUE(contains(trial.failure("topology on off"), "on, or off?"));
@@ -27,7 +27,7 @@ TEST(Topology, ANeckPinches) {
 TEST(Topology, ANeckPinchesWhereTheCatenoidEnds) {
   Trial trial("rings_apart.fe");
   const Folder folder;
-  trial.out("topology on; speed := 0.002; start := 0.328; refine 3; relax; damping := 0.2");
+  trial.out("speed := 0.002; start := 0.328; refine 3; relax; damping := 0.2");
   trial.out("pinched := 0; on pinch { if pinched == 0 then pinched := total_time }");
   trial.out("while pinched == 0 && total_time < 20 do evolve 100");
   const double half = 0.328 + 0.002 * trial.number("pinched");
@@ -57,7 +57,7 @@ TEST(Topology, OffTheFilmKeepsItsMesh) {
 // A film at rest is not touched at all.
 TEST(Topology, AFilmAtRestIsLeftAlone) {
   Trial trial("double_bubble.fe");
-  trial.out("topology on; refine 3; relax");
+  trial.out("refine 3; relax");
   const auto before = trial.session().scene().film.connectivity_revision();
   trial.out("evolve 20; check");
   EXPECT_EQ(trial.session().scene().film.connectivity_revision(), before);
