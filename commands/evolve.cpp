@@ -104,6 +104,7 @@ void run(Session& session, const EvolveOptions& options) {
   size.upkeep = !options.keep_mesh;
   size.method = value_of(methods, options.method);
   size.volumes = value_of(volume_modes, options.volumes);
+  size.keep_energy = session.memory<TopologySwitch>().keeps_energy;
   size.topology = session.memory<TopologySwitch>().on && !options.keep_mesh;
   if (options.dt) check_step(scene, *options.dt, size.method);
   evolution::AfterStep note;

@@ -67,7 +67,8 @@ class Walk {
         monitor_(monitor),
         after_step_(after_step),
         on_events_(on_events),
-        memory_(memory) {}
+        memory_(memory),
+        topology_(size.keep_energy) {}
 
   EvolveReport run(long steps);
 

@@ -37,8 +37,9 @@ struct StepSize {
   double fraction = 0.5;        // of the stability bound, where not fixed; ten times as much if implicit
   Method method = Method::euler;
   VolumeMode volumes = VolumeMode::automatic;
-  bool upkeep = true;     // keep the mesh fit where it would choke the steps
-  bool topology = false;  // keep edges within their band, and let films merge, pinch and swap neighbours
+  bool upkeep = true;       // keep the mesh fit where it would choke the steps
+  bool keep_energy = true;  // what a change of the mesh costs goes into the velocities around it
+  bool topology = false;    // keep edges within their band, and let films merge, pinch and swap neighbours
 };
 
 struct EvolveReport {

@@ -175,7 +175,8 @@ class Touched {
 
 }  // namespace
 
-TopologyKeeper::TopologyKeeper() : proximity_(contact, near_margin) {}
+TopologyKeeper::TopologyKeeper(bool keeps_energy)
+    : keeps_energy_(keeps_energy), proximity_(contact, near_margin) {}
 
 void TopologyKeeper::take_up(TopologyMemory& memory, const Film& film) {
   if (memory.position_revision != film.position_revision()) return;
@@ -363,7 +364,7 @@ TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::Topology
   }
   touched.spread_mass(before.mass);
   touched.restore_momentum(before.momentum);
-  if (report.events.empty() && report.zips == 0)
+  if (keeps_energy_ && report.events.empty() && report.zips == 0)
     touched.add_kinetic(energy - touched.energy() - touched.balance().kinetic);
   touched.restore_angular_momentum(before.angular_momentum);
   touched.store();

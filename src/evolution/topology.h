@@ -35,7 +35,8 @@ struct TopologyMemory {
 // band, with its sheets apart, is not touched.
 class TopologyKeeper {
  public:
-  TopologyKeeper();
+  // What the mesh's changes cost of energy is given back to velocities, or lost, as interpolation leaves it.
+  explicit TopologyKeeper(bool keeps_energy = true);
 
   // Where the film is as the motion before left it.
   void take_up(TopologyMemory& memory, const film::Film& film);
@@ -90,6 +91,7 @@ class TopologyKeeper {
   bool is_fit(const film::Film& film, const surgery::TopologyReport& report, bool sound, bool labelled);
   bool slow_down(scene::Scene& scene, std::span<const surgery::Contact> contacts);
 
+  bool keeps_energy_;
   surgery::TopologyOptions options_;
   surgery::Proximity proximity_;
   surgery::TangleWatch watch_;

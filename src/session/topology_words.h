@@ -15,6 +15,7 @@ class Session;
 // Whether evolve changes the topology of films; it does unless told otherwise.
 struct TopologySwitch {
   bool on = true;
+  bool keeps_energy = true;  // what changes of the mesh cost is given back
 };
 
 // What runs when films change their topology, by the kind of event.

@@ -8,6 +8,8 @@ TEST(Topology, IsOnUntilTurnedOff) {
   EXPECT_EQ(trial.out("topology"), "topology on\n");
   EXPECT_EQ(trial.out("topology off; topology"), "topology off\n");
   EXPECT_EQ(trial.out("topology on; topology"), "topology on\n");
+  EXPECT_EQ(trial.out("topology energy=lost; topology"), "topology on energy=lost\n");
+  EXPECT_EQ(trial.out("topology energy=kept; topology"), "topology on\n");
   EXPECT_TRUE(contains(trial.failure("topology on off"), "on, or off?"));
 }
 
