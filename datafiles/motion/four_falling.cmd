@@ -6,6 +6,9 @@ damping := 0.5
 evolve 600
 damping := 4
 evolve 400
+remesh size 0.5 borders 0.056
+evolve 100
 check
 print total_area
+print facet_count
 plateau

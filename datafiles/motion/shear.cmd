@@ -11,6 +11,9 @@ damping := 4
 evolve 200
 print count(facet where frontbody == 2 and backbody == 3 or frontbody == 3 and backbody == 2)
 print count(facet where frontbody == 1 and backbody == 4 or frontbody == 4 and backbody == 1)
+remesh size 0.4 borders 0.05
+evolve 100
 check
 print total_area
+print facet_count
 plateau
