@@ -26,43 +26,26 @@ FacetCells::NearBox FacetCells::rounded_outward(const Box& box, double margin) {
   return result;
 }
 
-bool FacetCells::holds(const Film& film) const {
-  const std::span<const Vec3> positions = film.positions();
-  if (connectivity_ != film.connectivity_revision()) return false;
-  const double most = drift * drift * width_ * width_;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (!(squared_length(positions[v] - made_at_[v]) < most)) return false;
-  }
-  return true;
-}
-
-void FacetCells::make(const Film& film, std::span<const double> widths) {
-  const std::uint32_t count = film.triangle_rows();
-  const std::span<const Vec3> positions = film.positions();
-  connectivity_ = film.connectivity_revision();
-  made_at_.assign(positions.begin(), positions.end());
+void FacetCells::make(std::span<const std::array<Vec3, 3>> facets, std::span<const double> widths) {
+  const auto count = static_cast<std::uint32_t>(facets.size());
   keys_.resize(count);
   near_boxes_.resize(count);
   wide_.clear();
   reach_ = 0;
-  const auto points = [&](std::uint32_t t) {
-    const auto& c = film.corners(Triangle(t));
-    return std::array<Vec3, 3>{positions[c[0].index], positions[c[1].index], positions[c[2].index]};
-  };
   double sum = 0;
-  for (std::uint32_t t = 0; t < count; ++t) sum += longest_side(points(t));
+  for (std::uint32_t t = 0; t < count; ++t) sum += longest_side(facets[t]);
   width_ = sum > 0 ? cell_of_mean * sum / count : 1;
   std::size_t buckets = 64;
   while (buckets < count) buckets *= 2;
   first_.assign(buckets + 1, 0);
   constexpr std::uint64_t nowhere = ~std::uint64_t{0};
   for (std::uint32_t t = 0; t < count; ++t) {
-    const std::array<Vec3, 3> p = points(t);
+    const std::array<Vec3, 3>& p = facets[t];
     const Box box = box_of(p);
     const Vec3 middle = 0.5 / width_ * (box.low + box.high);
     const Vec3 half = 0.5 * (box.high - box.low);
     const double reach = std::max({half.x, half.y, half.z}) + widths[t];
-    near_boxes_[t] = rounded_outward(box, widths[t] + drift * width_);
+    near_boxes_[t] = rounded_outward(box, widths[t]);
     const bool wide = reach > most_cells_wide * width_;
     if (!wide) reach_ = std::max(reach_, reach);
     keys_[t] = wide ? nowhere : key_of(cell(middle.x), cell(middle.y), cell(middle.z));
@@ -109,7 +92,7 @@ void FacetCells::gather(const Box& box) {
     candidates_.high[k].clear();
   }
   for (const Triangle t : wide_) add_candidate(t);
-  const double reach = reach_ + drift * width_;
+  const double reach = reach_;
   const Vec3 low = (1 / width_) * (box.low - Vec3{reach, reach, reach});
   const Vec3 high = (1 / width_) * (box.high + Vec3{reach, reach, reach});
   const double cells = (high.x - low.x + 1) * (high.y - low.y + 1) * (high.z - low.z + 1);

@@ -1,4 +1,4 @@
-// Which facets lie near a box, while a film moves a little.
+// Which facets lie near a box.
 #pragma once
 
 #include <algorithm>
@@ -13,17 +13,15 @@
 
 namespace lamella::film {
 
-// The facets of a film by the cells of a grid that their middles lie in. They may move by a part of a cell
-// before the grid must be made anew: n, without allocation once it has its size.
+// Facets by the cells of a grid that their middles lie in.
 class FacetCells {
  public:
-  // Whether what it holds may be asked about a film as it is now.
-  bool holds(const Film& film) const;
-  // The box of each facet is widened by a width of its own.
-  void make(const Film& film, std::span<const double> widths);
+  // From where each facet is, or was; its box is widened by a width of its own. n, without allocation once it
+  // has its size.
+  void make(std::span<const std::array<Vec3, 3>> facets, std::span<const double> widths);
 
-  // Calls function(i, Triangle) once for each of some boxes and each facet whose widened box may meet it: not
-  // all do. Boxes that lie in one tower of cells are asked for together.
+  // Calls function(i, Triangle) once for each of some boxes and each facet whose widened box meets it, up to
+  // the rounding of floats. Boxes that lie in one tower of cells are asked for together.
   template <class Function>
   void for_each_near(std::span<const Box> boxes, Function&& function) {
     sort_by_tower(boxes);
@@ -40,7 +38,6 @@ class FacetCells {
   }
 
  private:
-  static constexpr double drift = 0.1;  // of a cell, before it is made anew
   static constexpr double most_cells = 4000;
   static constexpr std::int64_t tower = 4;  // cells one above the other that lie in one bucket
 
@@ -87,12 +84,10 @@ class FacetCells {
     return (hash ^ (hash >> 32U)) & (first_.size() - 2);
   }
 
-  std::uint64_t connectivity_ = 0;
   double width_ = 1;
-  double reach_ = 0;  // of widened boxes from their middles, of those that are not wide
-  std::vector<Vec3> made_at_;
+  double reach_ = 0;                  // of widened boxes from their middles, of those that are not wide
   std::vector<std::uint64_t> keys_;   // of each facet
-  std::vector<NearBox> near_boxes_;   // of each facet, wherever it may have drifted to
+  std::vector<NearBox> near_boxes_;   // of each facet, widened
   std::vector<std::uint32_t> first_;  // entry of each bucket, and one more
   std::vector<Entry> entries_;
   std::vector<Triangle> wide_;

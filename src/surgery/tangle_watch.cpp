@@ -31,6 +31,7 @@ constexpr double part_of_altitude = 0.15;
 // is the cosine of (37 degrees).
 constexpr double flat_cosine = 0.8;
 constexpr std::size_t most_in_fan = 32;
+constexpr std::uint32_t most_stamps = 1U << 31U;  // before vertices are marked from the beginning again
 
 double longest_side(const Corners& p) {
   return std::sqrt(
@@ -63,16 +64,18 @@ bool TangleWatch::adopt(const Film& film) {
   const std::vector<std::array<Vertex, 3>>& corners = film.connectivity().triangle_vertices;
   if (corners_.size() != corners.size() || last_.size() != film.vertex_rows()) {
     corners_ = corners;
-    known_.left.assign(corners.size(), {});
-    known_.pairs.clear();
-    known_.flat.assign(film.vertex_rows(), 0);
+    edges_.assign(corners.size(), 0);
+    listed_at_.assign(corners.size(), {});
+    listed_for_.assign(corners.size(), 0);
+    pairs_.clear();
+    flat_.assign(film.vertex_rows(), 0);
     last_.assign(film.positions().begin(), film.positions().end());
     return true;
   }
   for (std::size_t t = 0; t < corners.size(); ++t) {
     if (corners_[t] == corners[t]) continue;
     corners_[t] = corners[t];
-    known_.left[t] = {};
+    edges_[t] = listed_for_[t] = 0;
   }
   return false;
 }
@@ -87,18 +90,24 @@ void TangleWatch::spend(const Film& film, std::span<const double> reaches) {
   way_.assign(corners_.size(), 0);
   for (std::uint32_t t = 0; t < corners_.size(); ++t) {
     const auto& [a, b, c] = corners_[t];
-    const double way = std::max({reach_[a.index], reach_[b.index], reach_[c.index]});
-    if (!(way > 0)) continue;
+    way_[t] = std::max({reach_[a.index], reach_[b.index], reach_[c.index]});
+    if (!(way_[t] > 0)) continue;
     const Vec3 moves[3] = {now[a.index] - last_[a.index], now[b.index] - last_[b.index],
                            now[c.index] - last_[c.index]};
-    Left& left = known_.left[t];
-    left.edges -=
-        std::sqrt(std::max({squared_length(moves[0] - moves[1]), squared_length(moves[1] - moves[2]),
-                            squared_length(moves[2] - moves[0])}));
-    left.way -= way;
-    way_[t] = way;
+    edges_[t] -= std::sqrt(std::max({squared_length(moves[0] - moves[1]), squared_length(moves[1] - moves[2]),
+                                     squared_length(moves[2] - moves[0])}));
   }
-  for (FacetPair& pair : known_.pairs) pair.gap -= way_[pair.a.index] + way_[pair.b.index];
+  for (FacetPair& pair : pairs_) pair.gap -= way_[pair.a.index] + way_[pair.b.index];
+}
+
+// How far a facet may yet go before what is near it is listed anew, wherever it has been since the last call.
+double TangleWatch::way_left(Triangle t) const {
+  const auto& [a, b, c] = corners_[t.index];
+  const Corners& at = listed_at_[t.index];
+  const double square =
+      std::max({squared_length(last_[a.index] - at[0]), squared_length(last_[b.index] - at[1]),
+                squared_length(last_[c.index] - at[2])});
+  return listed_for_[t.index] - std::sqrt(square) - way_[t.index];
 }
 
 // Which facets are looked at.
@@ -110,7 +119,7 @@ void TangleWatch::choose(const Film& film) {
   for (std::uint32_t t = 0; t < corners_.size(); ++t) {
     const auto& [a, b, c] = corners_[t];
     const double size = sizes.empty() ? 0 : std::max({sizes[a.index], sizes[b.index], sizes[c.index]});
-    due_[t] = {!(known_.left[t].edges > 0), !(known_.left[t].way > listed_reach * size)};
+    due_[t] = {!(edges_[t] > 0), !(listed_for_[t] > 0 && way_left(Triangle(t)) > listed_reach * size)};
     if (due_[t].edges) stretched_.emplace_back(t);
     if (due_[t].way) moved_.emplace_back(t);
   }
@@ -118,7 +127,7 @@ void TangleWatch::choose(const Film& film) {
 
 std::vector<Tangle> TangleWatch::look(const Film& film, std::span<const double> reaches) {
   const bool is_another = adopt(film);
-  before_ = known_;
+  if (!goes_on_) look_at_all_again();
   spend(film, reaches);
   choose(film);
   std::vector<Tangle> found;
@@ -128,23 +137,31 @@ std::vector<Tangle> TangleWatch::look(const Film& film, std::span<const double> 
   list_anew(film);
   looked_at_ += static_cast<long>(moved_.size());
   look_at_pairs(film, found);
-  near_ = known_.pairs;
   positions_ = film.position_revision();
   connectivity_ = film.connectivity_revision();
   if (found.empty())
     last_.assign(film.positions().begin(), film.positions().end());
   else
-    known_ = before_;
+    goes_on_ = false;
   if (!found.empty() && is_another) forget();  // nobody goes on from where it tangles
   return united(film, found);
+}
+
+// The last call was about a film that nobody goes on from: what it found of gaps and angles is not so.
+void TangleWatch::look_at_all_again() {
+  std::fill(edges_.begin(), edges_.end(), 0.0);
+  for (FacetPair& pair : pairs_) pair.gap = 0;
+  goes_on_ = true;
 }
 
 // Facets whose edges have changed, and those that have a corner in common with them. First all get what they
 // may have at most, so that each vertex and each pair can take from it.
 void TangleWatch::look_around(const Film& film, std::vector<Tangle>& found) {
+  if (stamps_ > most_stamps) stamp_.clear();
+  if (stamp_.empty()) stamps_ = 0;
   stamp_.resize(std::max<std::size_t>(stamp_.size(), film.vertex_rows()));
-  ++stamps_;
-  for (const Triangle t : stretched_) known_.left[t.index].edges = longest_side(film.points(t));
+  stamps_ += 2;
+  for (const Triangle t : stretched_) edges_[t.index] = longest_side(film.points(t));
   for (const Triangle t : stretched_) {
     for (const Vertex v : film.corners(t)) {
       if (stamp_[v.index] == stamps_) continue;
@@ -157,7 +174,7 @@ void TangleWatch::look_around(const Film& film, std::vector<Tangle>& found) {
     // Pairs of two that are looked at are so once.
     const auto was_compared = [&](Triangle other) { return due_[other.index].edges && other < t; };
     for (const Vertex v : film.corners(t)) {
-      if (known_.flat[v.index] != 0) continue;
+      if (flat_[v.index] != 0) continue;
       film.for_each_end(v, [&](EdgeEnd end) {
         film.for_each_side(end.edge(), [&](Side s) {
           // Once at each corner that they share; twice where they share two.
@@ -174,9 +191,9 @@ void TangleWatch::look_around(const Film& film, std::vector<Tangle>& found) {
 
 // Facets around a vertex that is no longer flat are to be listed with all that is near them.
 void TangleWatch::look_at_vertex(const Film& film, Vertex v) {
-  const bool was_flat = known_.flat[v.index] != 0;
-  known_.flat[v.index] = find_flat(film, v) ? 1 : 0;
-  if (!was_flat || known_.flat[v.index] != 0) return;
+  const bool was_flat = flat_[v.index] != 0;
+  flat_[v.index] = find_flat(film, v) ? 1 : 0;
+  if (!was_flat || flat_[v.index] != 0) return;
   film.for_each_end(v, [&](EdgeEnd end) {
     film.for_each_side(end.edge(), [&](Side s) {
       Due& due = due_[s.triangle().index];
@@ -221,7 +238,7 @@ bool TangleWatch::find_flat(const Film& film, Vertex v) {
     const Vec3 normal = cross(ring_[i].to, after(i));
     const double twice = length(normal);
     const double longest = longest_side({Vec3{}, ring_[i].to, after(i)});
-    double& left = known_.left[ring_[i].facet.index].edges;
+    double& left = edges_[ring_[i].facet.index];
     left = std::min(left, twice / longest * room_to_turn(dot(normal, axis) / twice));
   }
   return true;
@@ -232,8 +249,8 @@ void TangleWatch::compare_at_corner(const Film& film, Triangle t, Triangle other
   const int shared = shared_corners(film.corners(t), film.corners(other));
   const std::array<double, 2> room =
       shared == 1 ? room_at_corner(film, t, other) : room_at_edge(film, t, other, part_of_altitude);
-  double& own = known_.left[t.index].edges;
-  double& others = known_.left[other.index].edges;
+  double& own = edges_[t.index];
+  double& others = edges_[other.index];
   own = std::min(own, room[0]);
   others = std::min(others, room[1]);
   if (std::min(room[0], room[1]) > 0) return;
@@ -251,75 +268,73 @@ void TangleWatch::look_at_borders(const Film& film, std::vector<Tangle>& found) 
   }
 }
 
-// A facet may not have more left than its box in the cells is wider: others were not found by more.
-void TangleWatch::make_cells(const Film& film) {
+// From where a facet is now.
+void TangleWatch::list(const Film& film, Triangle t) {
   const std::span<const double> sizes = film.columns(film::ElementKind::vertex).reals(size_column);
-  widths_.resize(corners_.size());
-  for (std::uint32_t t = 0; t < corners_.size(); ++t) {
-    const auto& [a, b, c] = corners_[t];
-    const double size = sizes.empty() ? 0 : std::max({sizes[a.index], sizes[b.index], sizes[c.index]});
-    widths_[t] = longest_way * longest_side(film.points(Triangle(t))) + listed_reach * size;
-    known_.left[t].way = std::min(known_.left[t].way, widths_[t]);
-  }
-  cells_.make(film, widths_);
+  const auto& [a, b, c] = corners_[t.index];
+  const double size = sizes.empty() ? 0 : std::max({sizes[a.index], sizes[b.index], sizes[c.index]});
+  listed_at_[t.index] = film.points(t);
+  listed_for_[t.index] = longest_way * longest_side(listed_at_[t.index]) + listed_reach * size;
 }
 
-// Marks the vertices next to a facet's corners, if those and all of them are flat.
-bool TangleWatch::stamp_ring(const Film& film, Triangle t) {
-  ++stamps_;
+// Marks a facet's corners and, if those are flat, the vertices next to them.
+void TangleWatch::stamp_ring(const Film& film, Triangle t) {
+  stamps_ += 2;
   const auto& corners = film.corners(t);
-  if (std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return known_.flat[v.index] == 0; }))
-    return false;
-  for (const Vertex v : corners)
-    film.for_each_end(v, [&](EdgeEnd end) { stamp_[film.head(end.outward()).index] = stamps_; });
-  return true;
+  if (std::all_of(corners.begin(), corners.end(), [&](Vertex v) { return flat_[v.index] != 0; })) {
+    for (const Vertex v : corners)
+      film.for_each_end(v, [&](EdgeEnd end) { stamp_[film.head(end.outward()).index] = stamps_; });
+  }
+  for (const Vertex v : corners) stamp_[v.index] = stamps_ + 1;
+}
+
+// Whether a facet has a corner in common with the one whose ring is marked, or lies in one flat sheet with it
+// and next to it.
+bool TangleWatch::is_neighbour(Triangle other) const {
+  bool is_next = false;
+  bool is_flat = true;
+  for (const Vertex v : corners_[other.index]) {
+    if (stamp_[v.index] == stamps_ + 1) return true;
+    is_next = is_next || stamp_[v.index] == stamps_;
+    is_flat = is_flat && flat_[v.index] != 0;
+  }
+  return is_next && is_flat;
 }
 
 // The pairs of those facets that have used up their way.
 void TangleWatch::list_anew(const Film& film) {
   if (moved_.empty()) return;
-  const bool all = static_cast<double>(moved_.size()) > most_alone * static_cast<double>(corners_.size());
-  if (all) {
+  if (static_cast<double>(moved_.size()) > most_alone * static_cast<double>(corners_.size())) {
     moved_.clear();
     for (std::uint32_t t = 0; t < corners_.size(); ++t) {
       moved_.emplace_back(t);
       due_[t].way = true;
     }
   }
-  if (all || !cells_.holds(film)) make_cells(film);
-  std::erase_if(known_.pairs,
+  std::erase_if(pairs_,
                 [&](const FacetPair& pair) { return due_[pair.a.index].way || due_[pair.b.index].way; });
   asked_.clear();
   for (const Triangle t : moved_) {
-    known_.left[t.index].way = widths_[t.index];
-    asked_.push_back(film::box_of(film.points(t), widths_[t.index]));
+    list(film, t);
+    asked_.push_back(film::box_of(listed_at_[t.index], listed_for_[t.index]));
   }
+  cells_.make(listed_at_, listed_for_);
   Triangle at;
-  bool is_flat = false;
   cells_.for_each_near(asked_, [&](std::uint32_t i, Triangle other) {
     const Triangle t = moved_[i];
     if (other == t || (due_[other.index].way && other < t)) return;
-    const auto& corners = film.corners(other);
-    if (shared_corners(film.corners(t), corners) > 0) return;
-    const Corners own = film.points(t);
-    const Corners others = film.points(other);
-    if (!film::box_of(others, widths_[other.index]).meets(asked_[i])) return;
-    if (at != t) is_flat = stamp_ring(film, t);
+    if (at != t) stamp_ring(film, t);
     at = t;
-    const auto is_flat_at = [&](Vertex v) { return known_.flat[v.index] != 0; };
-    const auto is_near = [&](Vertex v) { return stamp_[v.index] == stamps_; };
-    if (is_flat && std::any_of(corners.begin(), corners.end(), is_near) &&
-        std::all_of(corners.begin(), corners.end(), is_flat_at))
-      return;
-    const double gap = std::max(0.0, gap_at_least(own, others));
-    if (gap > widths_[t.index] + widths_[other.index]) return;
-    known_.pairs.push_back({t, other, gap > way_[t.index] + way_[other.index] ? gap : 0});
+    if (is_neighbour(other)) return;
+    if (gap_at_least(listed_at_[t.index], listed_at_[other.index]) <
+        listed_for_[t.index] + listed_for_[other.index])
+      pairs_.push_back({t, other, 0});
   });
 }
 
 // Those whose gap is used up.
 void TangleWatch::look_at_pairs(const Film& film, std::vector<Tangle>& found) {
-  for (FacetPair& pair : known_.pairs) {
+  for (FacetPair& pair : pairs_) {
     if (pair.gap > 0) continue;
     pair.gap = std::max(0.0, gap_at_least(film.points(pair.a), film.points(pair.b)));
     if ((pair.gap <= 0 && film::facets_cross(film, pair.a, pair.b)) || have_met(film, pair.a, pair.b))
@@ -347,7 +362,7 @@ bool TangleWatch::have_met(const Film& film, Triangle t, Triangle other) const {
 void TangleWatch::before_compaction(const Film& film) {
   const auto& corners = film.connectivity().triangle_vertices;
   spend(film, {});
-  known_.flat.resize(film.vertex_rows());
+  flat_.resize(film.vertex_rows());
   std::vector<Vertex> row(film.vertex_rows());
   std::vector<std::uint8_t> flat;
   last_.clear();
@@ -355,25 +370,30 @@ void TangleWatch::before_compaction(const Film& film) {
     if (!film.alive(Vertex(v))) continue;
     row[v] = Vertex(static_cast<std::uint32_t>(last_.size()));
     last_.push_back(film.position(Vertex(v)));
-    flat.push_back(known_.flat[v]);
+    flat.push_back(flat_[v]);
   }
   std::vector<std::array<Vertex, 3>> kept;
-  std::vector<Left> left;
+  std::vector<double> edges;
+  std::vector<Corners> listed_at;
+  std::vector<double> listed_for;
   std::vector<Triangle> facet(corners.size());  // of those that are what they were
   for (std::uint32_t t = 0; t < corners.size(); ++t) {
     if (!film.alive(Triangle(t))) continue;
     const bool same = t < corners_.size() && corners_[t] == corners[t];
     if (same) facet[t] = Triangle(static_cast<std::uint32_t>(kept.size()));
-    left.push_back(same ? known_.left[t] : Left{});
+    edges.push_back(same ? edges_[t] : 0);
+    listed_at.push_back(same ? listed_at_[t] : Corners{});
+    listed_for.push_back(same ? listed_for_[t] : 0);
     kept.push_back({row[corners[t][0].index], row[corners[t][1].index], row[corners[t][2].index]});
   }
-  std::vector<FacetPair> pairs;
-  for (const FacetPair& pair : known_.pairs) {
-    const Triangle a = facet[pair.a.index];
-    const Triangle b = facet[pair.b.index];
-    if (a.valid() && b.valid()) pairs.push_back({a, b, pair.gap});
-  }
-  known_ = {std::move(left), std::move(pairs), std::move(flat)};
+  std::erase_if(pairs_, [&](FacetPair& pair) {
+    pair = {facet[pair.a.index], facet[pair.b.index], pair.gap};
+    return !pair.a.valid() || !pair.b.valid();
+  });
+  edges_ = std::move(edges);
+  listed_at_ = std::move(listed_at);
+  listed_for_ = std::move(listed_for);
+  flat_ = std::move(flat);
   corners_ = std::move(kept);
 }
 
