@@ -16,6 +16,7 @@ using scene::Scene;
 using solve::Ending;
 
 constexpr int most_rounds = 30;
+constexpr int most_idle_rounds = 3;  // one after the other, in which the topology stays
 // A wave crosses the film in its diameter's time (its speed is 1 at tension 1): damped over a sixth of that,
 // what moves creeps, and still gets anywhere.
 constexpr double damping_over_diameter = 6;
@@ -95,6 +96,7 @@ RelaxReport relax_with_topology(Scene& scene, const RelaxOptions& options, scene
   RelaxReport report;
   RelaxOptions plain = options;
   plain.new_meshes = false;  // where the film would collapse the mesh is mended in motion
+  int idle = 0;
   for (int round = 0; round < most_rounds && !scene.empty(); ++round) {
     const Scene before = scene;
     report = relax(scene, plain, monitor);
@@ -111,8 +113,8 @@ RelaxReport relax_with_topology(Scene& scene, const RelaxOptions& options, scene
       report.ending = ending;
       break;
     }
-    // Nothing has happened, and nothing will.
-    if (!changed && ending != Ending::step_limit && ending != Ending::collapsed) break;
+    idle = changed ? 0 : idle + 1;
+    if (idle == most_idle_rounds) break;
   }
   return report;
 }
