@@ -171,7 +171,10 @@ void Walk::keep_mesh() {
   Stopwatch watch;
   motion_->store();
   const scene::Scene before = scene_;
-  if (!keep_mesh_in_motion(scene_, motion_->stiffness_at(too_stiff * scene_.mesh_fitness))) {
+  // What would make films pass through one another is left to the next look, which mends with more care.
+  const bool looks = size_.topology && !scene_.film.periodic();
+  if (!keep_mesh_in_motion(scene_, motion_->stiffness_at(too_stiff * scene_.mesh_fitness)) ||
+      (looks && !topology_.tangles(scene_.film).empty())) {
     scene_ = before;
     watch.lap(report_.times.surgery);
     return;

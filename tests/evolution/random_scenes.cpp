@@ -109,5 +109,10 @@ TEST(RandomScenes, EndWellAndUntangled) {
   std::printf("scenes %d, failed %d, worst volume error %.2e\n", scenes, failed, worst_volume);
 }
 
+// Here flips and averaging that made the mesh fit once drew films through one another, again and again.
+TEST(RandomScenes, AMeshMadeFitDoesNotTangle) {
+  EXPECT_EQ(tell(42, 8, 10).fault, "");
+}
+
 }  // namespace
 }  // namespace lamella::evolution
