@@ -87,7 +87,7 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
   const film::Connectivity& complex = scene_.film.connectivity();
   input_.triangles = unfolding_.empty() ? complex.triangle_vertices : unfolding_.triangles();
   input_.regions = complex.triangle_regions;
-  plan_ = SweepPlan(input_.triangles, volumes_.size());
+  plan_ = SweepPlan(input_.triangles, lines_.size(), volumes_.size());
   input_.tension = scene_.film.columns(ElementKind::facet).reals("tension");
   input_.has_regions = labelled(input_.regions);
   if (input_.has_regions) rims_ = open_rims(scene.film);
@@ -98,6 +98,7 @@ FilmEnergy::FilmEnergy(const scene::Scene& scene)
   constrained_gradient_ = VolumeGradient(scene.film, rows_of(constrained_, volumes_.size()),
                                          static_cast<int>(held_values_.size()), content_edges_,
                                          scene.edge_integral_order, fixed_rows());
+  input_.corners = constrained_gradient_.corners();
   if (scene.film.periodic()) whole_cells_ = whole_cells(scene, unfolding_);
 }
 
@@ -163,7 +164,7 @@ void FilmEnergy::measure_held() {
 // After the sweep, whose lines they are read from.
 void FilmEnergy::update_held_gradients() {
   if (held_values_.empty()) return;
-  constrained_gradient_.update(input_, lines_, open_volume_, scene_.time);
+  constrained_gradient_.finish(input_, lines_, open_volume_, scene_.time);
   for (std::size_t i = 0; i < fixed_sums_.size(); ++i) {
     std::fill(quantity_gradient_.begin(), quantity_gradient_.end(), Vec3{});
     fixed_sums_[i].add_gradient(input_.positions, scene_.time, 1, quantity_gradient_);
@@ -298,9 +299,18 @@ double FilmEnergy::value(std::span<const Vec3> positions) {
   return sums.energy + other_terms();
 }
 
-double FilmEnergy::gradient(std::span<const Vec3> positions) {
+bool FilmEnergy::is_plain() const {
+  return unfolding_.empty() && constraints_.empty() && energy_edges_.empty() && gaps_.empty() &&
+         boundary_gaps_.empty() && quantity_gradient_.empty() && heavy_.empty() && tense_.empty() &&
+         pressurised_.empty();
+}
+
+double FilmEnergy::gradient(std::span<const Vec3> positions, RowWork* work) {
+  assert(work == nullptr || is_plain());
+  if (work != nullptr && !positions.empty()) work->before(plan_.size(), 0, 1);
   start(positions);
-  const SweepSums sums = sweep_gradient(input_, volumes_, lines_);
+  input_.slots = constrained_gradient_.next_slots();
+  const SweepSums sums = sweep_gradient(input_, volumes_, lines_, work);
   unfolding_.fold<VertexLine>(lines_);
   area_ = scene_.strings.on ? tense_length() : sums.area;
   const double energy = sums.energy + other_terms();

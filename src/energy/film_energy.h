@@ -32,8 +32,14 @@ class FilmEnergy {
 
   // The energy at given positions; `volumes()` are refreshed too.
   double value(std::span<const Vec3> positions);
-  // The energy and its gradient in `lines()`.
-  double gradient(std::span<const Vec3> positions);
+  // The energy and its gradient in `lines()`. `work` goes along with the sweep where the film is plain; its
+  // parts lie below `work_parts`.
+  double gradient(std::span<const Vec3> positions, RowWork* work = nullptr);
+  // Whether the sweep alone gives all of the gradient, and nothing holds vertices.
+  bool is_plain() const;
+  std::size_t work_parts() const { return plan_.size() + 1; }
+  // What comes after a sweep, for the lines as they are: in any film, whose images of vertices are rows, too.
+  void work_after_sweep(RowWork& work) const { energy::work_after_sweep(plan_, work); }
 
   // Volume of region r at the last call, volconst included; [0] is meaningless.
   std::span<const double> volumes() const { return volumes_; }

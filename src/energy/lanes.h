@@ -69,6 +69,23 @@ inline Lane load(std::span<const film::Vec3> positions, std::size_t row) {
   return Lane{last.x, last.y, last.z, 0.0};
 }
 
+// Four numbers that lie aligned or not, as positions and velocities of lines do.
+inline Lane lane_at(const double* four) {
+  Lane value;
+  std::memcpy(&value, four, sizeof value);
+  return value;
+}
+
+inline Lane lane_of(const film::Vec3& v) {
+  return Lane{v.x, v.y, v.z, 0.0};
+}
+inline film::Vec3 vector_of(const Lane& v) {
+  return {v[0], v[1], v[2]};
+}
+inline double sum_of_3(const Lane& v) {
+  return v[0] + v[1] + v[2];
+}
+
 inline void add_to(double* four, const Lane& share) {
   Lane value;
   std::memcpy(&value, four, sizeof value);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "energy/lanes.h"
-#include "film/blocks.h"
 
 namespace lamella::energy {
 
@@ -19,12 +18,14 @@ struct Batch {
   const film::RegionPair* regions;
   Lane tension;
   Lane weight;
+  std::uint32_t first;  // of its triangles
 };
 
 constexpr Lane ones{1, 1, 1, 1};
 
 Batch full_batch(const SweepInput& input, std::size_t first) {
-  Batch batch{input.triangles.data() + first, input.regions.data() + first, ones, ones};
+  Batch batch{input.triangles.data() + first, input.regions.data() + first, ones, ones,
+              static_cast<std::uint32_t>(first)};
   if (!input.tension.empty()) std::memcpy(&batch.tension, input.tension.data() + first, sizeof batch.tension);
   return batch;
 }
@@ -37,6 +38,7 @@ struct PartBatch {
 
 PartBatch last_batch(const SweepInput& input, std::size_t first) {
   PartBatch part{};
+  part.batch.first = static_cast<std::uint32_t>(first);
   for (std::size_t i = 0; i < lanes; ++i) {
     const bool spare = first + i >= input.triangles.size();
     const std::size_t t = spare ? first : first + i;
@@ -48,23 +50,19 @@ PartBatch last_batch(const SweepInput& input, std::size_t first) {
   return part;
 }
 
-using Ranges = std::span<const SweepPlan::Range>;
-
 // Calls function(one) for each batch, or function(one, next) for two of them where there are two: a batch
 // waits for roots and quotients, and another one has work meanwhile.
 template <class Function>
-void for_each_batch(const SweepInput& input, Ranges ranges, Function&& function) {
-  for (const SweepPlan::Range& range : ranges) {
-    std::size_t first = range.first;
-    for (; first + 2 * lanes <= range.last; first += 2 * lanes)
-      function(full_batch(input, first), full_batch(input, first + lanes));
-    for (; first + lanes <= range.last; first += lanes) function(full_batch(input, first));
-    if (first < range.last) {
-      PartBatch part = last_batch(input, first);
-      part.batch.corners = part.corners.data();
-      part.batch.regions = part.regions.data();
-      function(part.batch);
-    }
+void for_each_batch(const SweepInput& input, SweepPlan::Range range, Function&& function) {
+  std::size_t first = range.first;
+  for (; first + 2 * lanes <= range.last; first += 2 * lanes)
+    function(full_batch(input, first), full_batch(input, first + lanes));
+  for (; first + lanes <= range.last; first += lanes) function(full_batch(input, first));
+  if (first < range.last) {
+    PartBatch part = last_batch(input, first);
+    part.batch.corners = part.corners.data();
+    part.batch.regions = part.regions.data();
+    function(part.batch);
   }
 }
 
@@ -101,9 +99,9 @@ class VolumeSum {
   explicit VolumeSum(std::span<double> volumes) : volumes_(volumes) {
     std::fill(volumes_.begin(), volumes_.end(), 0.0);
   }
-  ~VolumeSum() { flush(); }
   VolumeSum(const VolumeSum&) = delete;
   VolumeSum& operator=(const VolumeSum&) = delete;
+  ~VolumeSum() { flush(); }
 
   void add(const Batch& batch, const Lane& sixfold) {
     const Words pairs = words(batch);
@@ -192,7 +190,31 @@ template <bool with_regions>
   return shares;
 }
 
-[[gnu::always_inline]] inline void scatter(const Batch& batch, const Shares& shares,
+// What the corners of a range of triangles at borders collect.
+class BorderSum {
+ public:
+  BorderSum(const SweepInput& input, SweepPlan::Range range) : slots_(input.slots) {
+    const auto before = [](const BorderCorner& corner, std::uint32_t t) { return corner.triangle < t; };
+    const auto first = std::lower_bound(input.corners.begin(), input.corners.end(), range.first, before);
+    next_ = input.corners.data() + (first - input.corners.begin());
+    end_ = input.corners.data() + input.corners.size();
+  }
+  // The area vectors of a batch, batch after batch.
+  void add(const Batch& batch, const std::array<Lane, lanes>& vectors) {
+    for (; next_ != end_ && next_->triangle < batch.first + lanes; ++next_) {
+      const Lane& vector = vectors[next_->triangle - batch.first];
+      if (next_->higher != BorderCorner::none) add_to(&slots_[next_->higher].gradient.x, vector);
+      if (next_->lower != BorderCorner::none) add_to(&slots_[next_->lower].gradient.x, -vector);
+    }
+  }
+
+ private:
+  std::span<VolumeSlot> slots_;
+  const BorderCorner* next_;
+  const BorderCorner* end_;
+};
+
+[[gnu::always_inline]] inline void scatter(const Batch& batch, const Shares& shares, BorderSum& border,
                                            std::span<VertexLine> lines) {
   const std::array<Lane, 4> common =
       transposed(shares.area_vector.x, shares.area_vector.y, shares.area_vector.z, shares.area);
@@ -205,23 +227,21 @@ template <bool with_regions>
       add_to(&line.area_vector.x, common[i]);
     }
   }
+  border.add(batch, common);
 }
 
 template <bool with_regions>
-SweepSums gradient_pass(const SweepInput& input, Ranges ranges, std::span<double> volumes,
-                        std::span<VertexLine> lines) {
-  Sums sums(volumes);
-  for_each_batch(input, ranges, [&](const auto&... batches) {
+void add_gradients(const SweepInput& input, SweepPlan::Range range, Sums& sums, std::span<VertexLine> lines) {
+  BorderSum border(input, range);
+  for_each_batch(input, range, [&](const auto&... batches) {
     const std::array<Shares, sizeof...(batches)> shares{shares_of<with_regions>(input, batches, sums)...};
     std::size_t i = 0;
-    (scatter(batches, shares[i++], lines), ...);
+    (scatter(batches, shares[i++], border, lines), ...);
   });
-  return sums.whole();
 }
 
 template <bool with_regions>
-SweepSums energy_pass(const SweepInput& input, Ranges ranges, std::span<double> volumes) {
-  Sums sums(volumes);
+void add_energies(const SweepInput& input, SweepPlan::Range range, Sums& sums) {
   const auto add = [&](const Batch& batch) {
     const Lane3 a = gather(input, batch, 0);
     const Lane3 normal = cross(gather(input, batch, 1) - a, gather(input, batch, 2) - a);
@@ -230,17 +250,33 @@ SweepSums energy_pass(const SweepInput& input, Ranges ranges, std::span<double> 
     sums.area += batch.weight * doubled;
     if constexpr (with_regions) sums.volume.add(batch, dot(normal, relative(a, input.origin)) * batch.weight);
   };
-  for_each_batch(input, ranges, [&](const auto&... batches) { (add(batches), ...); });
-  return sums.whole();
+  for_each_batch(input, range, [&](const auto&... batches) { (add(batches), ...); });
 }
 
-// Calls pass(ranges, volumes) for each part of a plan, and at last for what lies between them.
-template <class Pass>
-SweepSums share_out(SweepPlan& plan, std::span<double> volumes, const Pass& pass) {
+// Calls add(range, sums) for the triangles of each part of a plan, and at last for what lies between them;
+// before(part, rows) and after(part, rows) where rows are met first and last.
+template <class Add, class Before, class After>
+SweepSums share_out(SweepPlan& plan, std::span<double> volumes, const Add& add, const Before& before,
+                    const After& after) {
   const std::size_t parts = plan.size();
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < parts; ++i) plan.sums(i) = pass(plan.inside(i), plan.volumes(i));
-  plan.sums(parts) = pass(plan.between(), plan.volumes(parts));
+  for (const SweepPlan::Range& rows : plan.shared_rows()) before(parts, rows);
+#pragma omp parallel for schedule(static) if (parts > 1)
+  for (std::size_t i = 0; i < parts; ++i) {
+    Sums sums(plan.volumes(i));
+    for (const SweepPlan::Stage& stage : plan.stages(i)) {
+      for (const SweepPlan::Range& rows : stage.fresh) before(i, rows);
+      add(stage.triangles, sums);
+      for (const SweepPlan::Range& rows : stage.done) after(i, rows);
+    }
+    plan.sums(i) = sums.whole();
+  }
+  {
+    Sums sums(plan.volumes(parts));
+    for (const SweepPlan::Range& range : plan.between()) add(range, sums);
+    plan.sums(parts) = sums.whole();
+  }
+  after(parts, SweepPlan::Range{0, 1});
+  for (const SweepPlan::Range& rows : plan.shared_rows()) after(parts, rows);
   SweepSums whole;
   std::fill(volumes.begin(), volumes.end(), 0.0);
   for (std::size_t i = 0; i <= parts; ++i) {
@@ -251,11 +287,11 @@ SweepSums share_out(SweepPlan& plan, std::span<double> volumes, const Pass& pass
   return whole;
 }
 
-template <class Pass>
-SweepSums sweep(const SweepInput& input, std::span<double> volumes, const Pass& pass) {
-  if (input.plan != nullptr && !input.plan->empty()) return share_out(*input.plan, volumes, pass);
-  const SweepPlan::Range all{0, static_cast<std::uint32_t>(input.triangles.size())};
-  return pass(Ranges(&all, 1), volumes);
+template <class Add>
+SweepSums sweep_all(const SweepInput& input, std::span<double> volumes, const Add& add) {
+  Sums sums(volumes);
+  add(SweepPlan::Range{0, static_cast<std::uint32_t>(input.triangles.size())}, sums);
+  return sums.whole();
 }
 
 }  // namespace
@@ -269,20 +305,46 @@ double stiffness_bound(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 SweepSums sweep_energy(const SweepInput& input, std::span<double> volumes) {
-  return sweep(input, volumes, [&](Ranges ranges, std::span<double> sums) {
-    return input.has_regions ? energy_pass<true>(input, ranges, sums)
-                             : energy_pass<false>(input, ranges, sums);
-  });
+  const auto add = [&](SweepPlan::Range range, Sums& sums) {
+    input.has_regions ? add_energies<true>(input, range, sums) : add_energies<false>(input, range, sums);
+  };
+  if (input.plan == nullptr) return sweep_all(input, volumes, add);
+  const auto nothing = [](std::size_t, SweepPlan::Range) {};
+  return share_out(*input.plan, volumes, add, nothing, nothing);
 }
 
-SweepSums sweep_gradient(const SweepInput& input, std::span<double> volumes, std::span<VertexLine> lines) {
-  film::for_each_block(lines.size(), [&](std::size_t first, std::size_t last) {
-    std::fill(lines.data() + first, lines.data() + last, VertexLine{});
-  });
-  return sweep(input, volumes, [&](Ranges ranges, std::span<double> sums) {
-    return input.has_regions ? gradient_pass<true>(input, ranges, sums, lines)
-                             : gradient_pass<false>(input, ranges, sums, lines);
-  });
+SweepSums sweep_gradient(const SweepInput& input, std::span<double> volumes, std::span<VertexLine> lines,
+                         RowWork* work) {
+  const auto add = [&](SweepPlan::Range range, Sums& sums) {
+    input.has_regions ? add_gradients<true>(input, range, sums, lines)
+                      : add_gradients<false>(input, range, sums, lines);
+  };
+  std::fill(input.slots.begin(), input.slots.end(), VolumeSlot{});
+  if (input.plan == nullptr) {
+    std::fill(lines.begin(), lines.end(), VertexLine{});
+    return sweep_all(input, volumes, add);
+  }
+  if (!lines.empty()) lines[0] = {};
+  const auto before = [&](std::size_t part, SweepPlan::Range rows) {
+    if (work != nullptr) work->before(part, rows.first, rows.last);
+    std::fill(lines.data() + rows.first, lines.data() + rows.last, VertexLine{});
+  };
+  const auto after = [&](std::size_t part, SweepPlan::Range rows) {
+    if (work != nullptr) work->after(part, rows.first, rows.last);
+  };
+  return share_out(*input.plan, volumes, add, before, after);
+}
+
+void work_after_sweep(const SweepPlan& plan, RowWork& work) {
+  const std::size_t parts = plan.size();
+#pragma omp parallel for schedule(static) if (parts > 1)
+  for (std::size_t i = 0; i < parts; ++i) {
+    for (const SweepPlan::Stage& stage : plan.stages(i)) {
+      for (const SweepPlan::Range& rows : stage.done) work.after(i, rows.first, rows.last);
+    }
+  }
+  work.after(parts, 0, 1);
+  for (const SweepPlan::Range& rows : plan.shared_rows()) work.after(parts, rows.first, rows.last);
 }
 
 }  // namespace lamella::energy

@@ -29,6 +29,8 @@ VolumeGradient::VolumeGradient(const film::Film& film, std::span<const int> row_
     : rows_(rows), order_(order) {
   if (rows == 0) return;
   find_borders(film, row_of_region, contents, fixed);
+  slots_.resize(slot_rows_.size());
+  next_slots_.resize(slot_rows_.size());
   build_pattern();
 }
 
@@ -105,21 +107,22 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
   }
   for (std::size_t b = 0; b < borders_.size(); ++b) {
     std::sort(rows_at[b].begin(), rows_at[b].end());
-    borders_[b].first = static_cast<std::uint32_t>(slots_.size());
-    for (const int row : rows_at[b]) slots_.push_back({row, {}});
-    borders_[b].last = static_cast<std::uint32_t>(slots_.size());
+    borders_[b].first = static_cast<std::uint32_t>(slot_rows_.size());
+    for (const int row : rows_at[b]) slot_rows_.push_back(row);
+    borders_[b].last = static_cast<std::uint32_t>(slot_rows_.size());
   }
   const auto slot = [&](film::Vertex v, film::Region region) {
     const std::uint32_t b = border_of_vertex[v.index];
     const int row = row_of_region[region.index];
     if (b == none || row < 0) return none;
     std::uint32_t s = borders_[b].first;
-    while (slots_[s].row != row) ++s;
+    while (slot_rows_[s] != row) ++s;
     return s;
   };
   each_corner([&](std::uint32_t t, film::Vertex v) {
-    const Corner corner{t, slot(v, view.regions[t].behind), slot(v, view.regions[t].front)};
-    if (corner.behind != none || corner.front != none) corners_.push_back(corner);
+    const film::RegionPair pair = sorted(view.regions[t]);
+    const BorderCorner corner{t, slot(v, pair.behind), slot(v, pair.front)};
+    if (corner.higher != none || corner.lower != none) corners_.push_back(corner);
   });
   for (const RimEdge& rim : rims) {
     if (row_of_region[rim.region.index] >= 0)
@@ -137,9 +140,9 @@ void VolumeGradient::build_pattern() {
     if (pair.high >= 0 && pair.low >= 0)
       pattern_.push_back({std::max(pair.high, pair.low), std::min(pair.high, pair.low)});
   }
-  for (const Border& border : borders_) {
+  for (const BorderVertex& border : borders_) {
     for (std::uint32_t s = border.first; s < border.last; ++s) {
-      for (std::uint32_t t = border.first; t <= s; ++t) pattern_.push_back({slots_[s].row, slots_[t].row});
+      for (std::uint32_t t = border.first; t <= s; ++t) pattern_.push_back({slot_rows_[s], slot_rows_[t]});
     }
   }
   std::sort(pattern_.begin(), pattern_.end());
@@ -155,33 +158,40 @@ void VolumeGradient::build_pattern() {
     if (pair.low >= 0) pair.entry_low = entry(pair.low, pair.low);
     if (pair.high >= 0 && pair.low >= 0) pair.entry_mixed = entry(pair.high, pair.low);
   }
-  for (Border& border : borders_) {
+  for (BorderVertex& border : borders_) {
     border.first_entry = static_cast<std::uint32_t>(border_entries_.size());
     for (std::uint32_t s = border.first; s < border.last; ++s) {
       for (std::uint32_t t = border.first; t <= s; ++t)
-        border_entries_.push_back(entry(slots_[s].row, slots_[t].row));
+        border_entries_.push_back(entry(slot_rows_[s], slot_rows_[t]));
     }
   }
 }
 
 void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention,
                             double time) {
-  lines_ = lines;
-  unrestricted_.clear();
-  for (Slot& slot : slots_) slot.gradient = {};
+  std::fill(next_slots_.begin(), next_slots_.end(), VolumeSlot{});
   std::uint32_t triangle = none;  // the corners of one follow each other
   Vec3 share;
-  for (const Corner& corner : corners_) {
+  for (const BorderCorner& corner : corners_) {
     if (corner.triangle != triangle) {
       triangle = corner.triangle;
       const auto& v = input.triangles[triangle];
+      const film::RegionPair pair = input.regions[triangle];
       share = double_area_vector(input.positions[v[0].index], input.positions[v[1].index],
                                  input.positions[v[2].index]) /
-              6;
+              (pair.front < pair.behind ? 6 : -6);
     }
-    if (corner.behind != none) slots_[corner.behind].gradient += share;
-    if (corner.front != none) slots_[corner.front].gradient -= share;
+    if (corner.higher != none) next_slots_[corner.higher].gradient += share;
+    if (corner.lower != none) next_slots_[corner.lower].gradient -= share;
   }
+  finish(input, lines, convention, time);
+}
+
+void VolumeGradient::finish(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention,
+                            double time) {
+  lines_ = lines;
+  unrestricted_.clear();
+  std::swap(slots_, next_slots_);
   for (const Rim& rim : rims_) {
     const RimGradient g = rim_volume_gradient(input.positions[rim.edge.from.index],
                                               input.positions[rim.edge.to.index], input.origin, convention);
@@ -196,9 +206,9 @@ void VolumeGradient::update(const SweepInput& input, std::span<const VertexLine>
 }
 
 void VolumeGradient::set_fixed(int row, std::span<const Vec3> gradient) {
-  for (const Border& border : borders_) {
+  for (const BorderVertex& border : borders_) {
     for (std::uint32_t s = border.first; s < border.last; ++s) {
-      if (slots_[s].row == row) slots_[s].gradient = gradient[border.vertex];
+      if (slot_rows_[s] == row) slots_[s].gradient = gradient[border.vertex];
     }
   }
 }
@@ -211,9 +221,9 @@ void VolumeGradient::restrict(const VertexConstraints& constraints) {
       restricted_[v] = constraints.restricted(v, lines_[v].area_vector);
   }
   if (unrestricted_.empty()) {
-    for (const Slot& slot : slots_) unrestricted_.push_back(slot.gradient);
+    for (const VolumeSlot& slot : slots_) unrestricted_.push_back(slot.gradient);
   }
-  for (const Border& border : borders_) {
+  for (const BorderVertex& border : borders_) {
     if (!constraints.holds(border.vertex)) continue;
     for (std::uint32_t s = border.first; s < border.last; ++s) {
       slots_[s].gradient = constraints.restricted(border.vertex, unrestricted_[s]);
@@ -244,7 +254,7 @@ void VolumeGradient::gram(std::span<const double> weights, std::span<double> val
     sum += weights[v] * squared_length(area_vector(v));
   }
   flush();
-  for (const Border& border : borders_) {
+  for (const BorderVertex& border : borders_) {
     const int* entry = border_entries_.data() + border.first_entry;
     for (std::uint32_t s = border.first; s < border.last; ++s) {
       for (std::uint32_t t = border.first; t <= s; ++t) {
@@ -276,47 +286,35 @@ void VolumeGradient::dot(std::span<const double> weights, std::span<const Vec3> 
     sum += weights[v] * film::dot(area_vector(v), field[v]);
   }
   flush();
-  for (const Border& border : borders_) {
+  for (const BorderVertex& border : borders_) {
     for (std::uint32_t s = border.first; s < border.last; ++s) {
-      result[static_cast<std::size_t>(slots_[s].row)] +=
+      result[static_cast<std::size_t>(slot_rows_[s])] +=
           weights[border.vertex] * film::dot(slots_[s].gradient, field[border.vertex]);
     }
   }
 }
 
-VolumeGradient::Products& VolumeGradient::Products::operator+=(const Products& other) {
-  const auto add = [](std::vector<double>& sum, const std::vector<double>& more) {
-    if (sum.empty()) sum.resize(more.size());
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
-  };
-  add(gram, other.gram);
-  add(first, other.first);
-  add(second, other.second);
-  largest = std::max(largest, other.largest);
-  return *this;
-}
-
 // The sums over neighbouring vertices inside one film.
-void VolumeGradient::add_run(const Pair& pair, double square, double first, double second,
-                             Products& products) {
+void VolumeGradient::add_run(const RunSum& run, Products& products) const {
+  const Pair& pair = pairs_[run.pair];
   const auto add = [&](int row, int entry, double sign) {
     if (row < 0) return;
-    products.gram[static_cast<std::size_t>(entry)] += square;
-    products.first[static_cast<std::size_t>(row)] += sign * first;
-    products.second[static_cast<std::size_t>(row)] += sign * second;
+    products.gram[static_cast<std::size_t>(entry)] += run.square;
+    products.first[static_cast<std::size_t>(row)] += sign * run.first;
+    products.second[static_cast<std::size_t>(row)] += sign * run.second;
   };
   add(pair.high, pair.entry_high, 1);
   add(pair.low, pair.entry_low, -1);
-  if (pair.entry_mixed >= 0) products.gram[static_cast<std::size_t>(pair.entry_mixed)] -= square;
+  if (pair.entry_mixed >= 0) products.gram[static_cast<std::size_t>(pair.entry_mixed)] -= run.square;
 }
 
 // The share of a border vertex.
-void VolumeGradient::multiply_border(const Border& border, double weight, const Vec3& a, const Vec3& b,
-                                     Products& products) const {
+void VolumeGradient::add_border(const BorderVertex& border, double weight, const Vec3& a, const Vec3& b,
+                                Products& products) const {
   const int* entry = border_entries_.data() + border.first_entry;
   for (std::uint32_t s = border.first; s < border.last; ++s) {
     const Vec3& gradient = slots_[s].gradient;
-    const auto row = static_cast<std::size_t>(slots_[s].row);
+    const auto row = static_cast<std::size_t>(slot_rows_[s]);
     products.first[row] += film::dot(gradient, a);
     products.second[row] += film::dot(gradient, b);
     const Vec3 weighted = weight * gradient;
@@ -359,27 +357,27 @@ Vec3 VolumeGradient::unrestricted_pull(std::size_t vertex) const {
   const std::uint32_t place = place_of_vertex_[vertex];
   if (place == none) return {};
   if (place < pairs_.size()) return pair_factor_[place] * lines_[vertex].area_vector;
-  const Border& border = borders_[place - pairs_.size()];
+  const BorderVertex& border = borders_[place - pairs_.size()];
   Vec3 sum;
   for (std::uint32_t s = border.first; s < border.last; ++s)
-    sum += multipliers_[static_cast<std::size_t>(slots_[s].row)] *
+    sum += multipliers_[static_cast<std::size_t>(slot_rows_[s])] *
            (unrestricted_.empty() ? slots_[s].gradient : unrestricted_[s]);
   return sum;
 }
 
-Vec3 VolumeGradient::border_pull(const Border& border) const {
+Vec3 VolumeGradient::border_pull(const BorderVertex& border) const {
   Vec3 sum;
   for (std::uint32_t s = border.first; s < border.last; ++s) {
-    sum += multipliers_[static_cast<std::size_t>(slots_[s].row)] * slots_[s].gradient;
+    sum += multipliers_[static_cast<std::size_t>(slot_rows_[s])] * slots_[s].gradient;
   }
   return sum;
 }
 
-std::pair<Vec3, Vec3> VolumeGradient::border_pulls(const Border& border) const {
+std::pair<Vec3, Vec3> VolumeGradient::border_pulls(const BorderVertex& border) const {
   Vec3 first;
   Vec3 second;
   for (std::uint32_t s = border.first; s < border.last; ++s) {
-    const auto row = static_cast<std::size_t>(slots_[s].row);
+    const auto row = static_cast<std::size_t>(slot_rows_[s]);
     first += multipliers_[row] * slots_[s].gradient;
     second += second_multipliers_[row] * slots_[s].gradient;
   }

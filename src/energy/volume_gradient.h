@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "energy/edge_integral.h"
+#include "energy/lanes.h"
 #include "energy/open_rim.h"
 #include "energy/sweep.h"
 #include "energy/vertex_constraints.h"
@@ -45,8 +45,13 @@ class VolumeGradient {
   int rows() const { return rows_; }
   const std::vector<GramEntry>& pattern() const { return pattern_; }
 
-  // Refreshes the gradients; `lines` from sweep_gradient at the same positions and origin. The inner
-  // vertices' gradients are read from `lines` in the calls below, so it must live on unchanged.
+  // What a sweep fills at borders (SweepInput): the gradients stay those of before until `finish`.
+  std::span<const BorderCorner> corners() const { return corners_; }
+  std::span<VolumeSlot> next_slots() { return next_slots_; }
+  // After such a sweep. `lines` are its lines; the inner vertices' gradients are read from them in the calls
+  // below, so they must live on unchanged.
+  void finish(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention, double time);
+  // The same after a sweep that has filled nothing here.
   void update(const SweepInput& input, std::span<const VertexLine> lines, OpenVolume convention, double time);
   // After that: the gradient of a fixed row, by vertex.
   void set_fixed(int row, std::span<const Vec3> gradient);
@@ -60,34 +65,65 @@ class VolumeGradient {
   void dot(std::span<const double> weights, std::span<const Vec3> field, std::span<double> result) const;
   // Holds the multipliers of the rows for calls of `pull`, until the next call.
   void set_multipliers(std::span<const double> multipliers);
-  // What descent and motion ask of the vertices, in one pass over them: G w G^T, for two fields a and b
-  // the sums over vertices of gradient_i . a and gradient_i . b, and the largest of a number.
+  // What descent and motion ask of the vertices: G w G^T, for two fields a and b the sums over vertices of
+  // gradient_i . a and gradient_i . b, and the largest of a number. Of all: energy/volume_products.h.
+  struct RunSum {
+    std::uint32_t pair = 0;
+    double square = 0;
+    double first = 0;
+    double second = 0;
+  };
+  struct RunSums {
+    std::vector<RunSum> runs;
+    double largest = 0;
+    void clear() {
+      runs.clear();
+      largest = 0;
+    }
+  };
   struct Products {
     std::vector<double> gram;
     std::vector<double> first;
     std::vector<double> second;
     double largest = 0;
-    Products& operator+=(const Products& other);
+    std::vector<RunSums> parts;  // that they are summed from
   };
-  using Fields = std::tuple<Vec3, Vec3, double>;
-  // Of the vertices from `begin` to before `end`; `fields(v)` returns a, b and the number. Of all:
-  // energy/volume_products.h.
+  struct Fields {
+    Lane a;  // the fourth numbers may be anything
+    Lane b;
+    double number = 0;
+  };
+  // Adds the vertices from `begin` to before `end` where they lie inside films, and the number of all.
+  // `fields(v)` returns Fields.
   template <class Function>
-  void multiply(std::size_t begin, std::size_t end, std::span<const double> weights, const Function& fields,
-                Products& products) const;
+  void add_rows(std::size_t begin, std::size_t end, std::span<const double> weights, const Function& fields,
+                RunSums& sums) const;
+  // After all rows have been added to `products.parts`: sums them, and adds the vertices on borders.
+  template <class Function>
+  void collect(std::span<const double> weights, const Function& fields, Products& products) const;
   // The matrix in the pattern's order times a vector.
   void multiply_gram(std::span<const double> values, std::span<const double> vector,
                      std::span<double> result) const;
   // A second set of multipliers beside the first, and the pulls of both at one vertex.
   void set_multipliers(std::span<const double> first, std::span<const double> second);
-  std::pair<Vec3, Vec3> pulls(std::size_t vertex) const {
-    const std::uint32_t place = place_of_vertex_[vertex];
-    if (place == none) return {};
-    if (place < pairs_.size()) {
-      const Vec3& vector = area_vector(vertex);
-      return {pair_factor_[place] * vector, second_factor_[place] * vector};
-    }
-    return border_pulls(borders_[place - pairs_.size()]);
+  // Both pulls from row `begin` to before `end`: calls inner(first, last, factor, factor) for rows whose
+  // pulls are these factors times `inner_vector`, and border(row, pull, pull).
+  template <class Inner, class Border>
+  void for_each_pull(std::size_t begin, std::size_t end, const Inner& inner, const Border& border) const {
+    for_each_run(
+        begin, end,
+        [&](std::size_t first, std::size_t last, std::uint32_t pair) {
+          const bool none_pulls = pair == none;
+          inner(first, last, none_pulls ? 0 : pair_factor_[pair], none_pulls ? 0 : second_factor_[pair]);
+        },
+        [&](std::size_t row, const auto& at) {
+          const auto [first, second] = border_pulls(at);
+          border(row, first, second);
+        });
+  }
+  // The area vector of a vertex inside a film, without what constraints forbid.
+  Lane inner_vector(std::size_t vertex) const {
+    return restricted_.empty() ? lane_at(&lines_[vertex].area_vector.x) : load(restricted_, vertex);
   }
   // sum_i multipliers[i] gradient_i at one vertex: the force of the pressures there.
   Vec3 pull(std::size_t vertex) const {
@@ -109,8 +145,8 @@ class VolumeGradient {
       if (pair.high >= 0) function(v, pair.high);
       if (pair.low >= 0) function(v, pair.low);
     }
-    for (const Border& border : borders_) {
-      for (std::uint32_t s = border.first; s < border.last; ++s) function(border.vertex, slots_[s].row);
+    for (const BorderVertex& border : borders_) {
+      for (std::uint32_t s = border.first; s < border.last; ++s) function(border.vertex, slot_rows_[s]);
     }
   }
 
@@ -123,9 +159,9 @@ class VolumeGradient {
       if (pair.high >= 0) function(v, pair.high, area_vector(v));
       if (pair.low >= 0) function(v, pair.low, -area_vector(v));
     }
-    for (const Border& border : borders_) {
+    for (const BorderVertex& border : borders_) {
       for (std::uint32_t s = border.first; s < border.last; ++s)
-        function(border.vertex, slots_[s].row, slots_[s].gradient);
+        function(border.vertex, slot_rows_[s], slots_[s].gradient);
     }
   }
 
@@ -140,21 +176,11 @@ class VolumeGradient {
     int entry_low = -1;
     int entry_mixed = -1;
   };
-  struct Slot {
-    int row = 0;
-    Vec3 gradient;
-  };
-  struct Border {
+  struct BorderVertex {
     std::uint32_t vertex = 0;
     std::uint32_t first = 0;  // its slots
     std::uint32_t last = 0;
     std::uint32_t first_entry = 0;  // where its pairs of slots (s >= t, row by row) stand in the pattern
-  };
-  // A corner of a triangle at a border vertex.
-  struct Corner {
-    std::uint32_t triangle = 0;
-    std::uint32_t behind = none;  // slots
-    std::uint32_t front = none;
   };
   struct Rim {
     RimEdge edge;
@@ -171,12 +197,33 @@ class VolumeGradient {
   const Vec3& area_vector(std::size_t vertex) const {
     return restricted_.empty() ? lines_[vertex].area_vector : restricted_[vertex];
   }
-  Vec3 border_pull(const Border& border) const;
-  std::pair<Vec3, Vec3> border_pulls(const Border& border) const;
+  Vec3 border_pull(const BorderVertex& border) const;
+  std::pair<Vec3, Vec3> border_pulls(const BorderVertex& border) const;
   void factor_pairs(std::span<const double> multipliers, std::vector<double>& factors) const;
-  static void add_run(const Pair& pair, double square, double first, double second, Products& products);
-  void multiply_border(const Border& border, double weight, const Vec3& a, const Vec3& b,
-                       Products& products) const;
+  void add_run(const RunSum& run, Products& products) const;
+  void add_border(const BorderVertex& border, double weight, const Vec3& a, const Vec3& b,
+                  Products& products) const;
+  // Calls inner(first, last, pair or none) for rows that follow each other inside the same film or in none,
+  // and border(row, border) for those on borders.
+  template <class Inner, class Border>
+  void for_each_run(std::size_t begin, std::size_t end, const Inner& inner, const Border& border) const {
+    if (rows_ == 0) {
+      inner(begin, end, none);
+      return;
+    }
+    for (std::size_t v = begin; v < end;) {
+      const std::uint32_t place = place_of_vertex_[v];
+      if (place != none && place >= pairs_.size()) {
+        border(v, borders_[place - pairs_.size()]);
+        ++v;
+        continue;
+      }
+      std::size_t last = v + 1;
+      while (last < end && place_of_vertex_[last] == place) ++last;
+      inner(v, last, place);
+      v = last;
+    }
+  }
   void find_borders(const film::Film& film, std::span<const int> row_of_region,
                     std::span<const FieldEdge> contents, std::span<const FixedRow> fixed);
   void build_pattern();
@@ -185,9 +232,11 @@ class VolumeGradient {
   // A vertex inside a film: its pair. On a border: the number of pairs plus its border. Else none.
   std::vector<std::uint32_t> place_of_vertex_;
   std::vector<Pair> pairs_;
-  std::vector<Border> borders_;
-  std::vector<Slot> slots_;
-  std::vector<Corner> corners_;
+  std::vector<BorderVertex> borders_;
+  std::vector<VolumeSlot> slots_;
+  std::vector<VolumeSlot> next_slots_;
+  std::vector<int> slot_rows_;
+  std::vector<BorderCorner> corners_;
   std::vector<Rim> rims_;
   std::vector<Content> contents_;
   int order_ = 3;
@@ -202,41 +251,43 @@ class VolumeGradient {
   std::vector<Vec3> restricted_;  // area vectors of inner vertices; empty in a scene without constraints
 };
 
-// Inner vertices of one film mostly follow each other, so their sums are kept until the film changes.
 template <class Function>
-void VolumeGradient::multiply(std::size_t begin, std::size_t end, std::span<const double> weights,
-                              const Function& fields, Products& products) const {
+void VolumeGradient::add_rows(std::size_t begin, std::size_t end, std::span<const double> weights,
+                              const Function& fields, RunSums& sums) const {
+  const auto inner = [&](std::size_t first, std::size_t last, std::uint32_t pair) {
+    Lane square{};
+    Lane along_a{};
+    Lane along_b{};
+    for (std::size_t v = first; v < last; ++v) {
+      const auto [a, b, number] = fields(v);
+      sums.largest = std::max(sums.largest, number);
+      const Lane vector = inner_vector(v);
+      square += weights[v] * (vector * vector);
+      along_a += vector * a;
+      along_b += vector * b;
+    }
+    if (pair != none) sums.runs.push_back({pair, sum_of_3(square), sum_of_3(along_a), sum_of_3(along_b)});
+  };
+  for_each_run(begin, end, inner, [&](std::size_t v, const BorderVertex&) {
+    sums.largest = std::max(sums.largest, fields(v).number);
+  });
+}
+
+template <class Function>
+void VolumeGradient::collect(std::span<const double> weights, const Function& fields,
+                             Products& products) const {
   products.gram.assign(pattern_.size(), 0.0);
   products.first.assign(static_cast<std::size_t>(rows_), 0.0);
   products.second.assign(static_cast<std::size_t>(rows_), 0.0);
-  std::uint32_t run = none;
-  double square = 0;
-  double first = 0;
-  double second = 0;
-  double largest = 0;
-  const auto flush = [&] {
-    if (run != none) add_run(pairs_[run], square, first, second, products);
-    square = first = second = 0;
-  };
-  for (std::size_t v = begin; v < end; ++v) {
-    const auto [a, b, number] = fields(v);
-    largest = std::max(largest, number);
-    const std::uint32_t place = rows_ > 0 ? place_of_vertex_[v] : none;
-    if (place < pairs_.size()) {
-      if (place != run) {
-        flush();
-        run = place;
-      }
-      const Vec3& vector = area_vector(v);
-      square += weights[v] * squared_length(vector);
-      first += film::dot(vector, a);
-      second += film::dot(vector, b);
-    } else if (place != none) {
-      multiply_border(borders_[place - pairs_.size()], weights[v], a, b, products);
-    }
+  products.largest = 0;
+  for (const RunSums& part : products.parts) {
+    products.largest = std::max(products.largest, part.largest);
+    for (const RunSum& run : part.runs) add_run(run, products);
   }
-  flush();
-  products.largest = largest;
+  for (const BorderVertex& border : borders_) {
+    const auto [a, b, number] = fields(border.vertex);
+    add_border(border, weights[border.vertex], vector_of(a), vector_of(b), products);
+  }
 }
 
 }  // namespace lamella::energy

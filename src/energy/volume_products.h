@@ -7,20 +7,16 @@
 
 namespace lamella::energy {
 
-// VolumeGradient::multiply of all vertices.
+// The products of all vertices' gradients.
 template <class Function>
 void multiply_all(const VolumeGradient& gradient, std::span<const double> weights, const Function& fields,
                   VolumeGradient::Products& products) {
-  const std::size_t sums = gradient.pattern().size() + 2 * static_cast<std::size_t>(gradient.rows());
-  if (weights.size() < film::rows_worth_threads || sums * film::block_count > weights.size()) {
-    gradient.multiply(0, weights.size(), weights, fields, products);
-    return;
-  }
-  products = film::sum_of_blocks(weights.size(), [&](std::size_t begin, std::size_t end) {
-    VolumeGradient::Products part;
-    gradient.multiply(begin, end, weights, fields, part);
-    return part;
+  products.parts.resize(weights.size() < film::rows_worth_threads ? 1 : film::block_count);
+  film::for_each_numbered_block(weights.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+    products.parts[block].clear();
+    gradient.add_rows(first, last, weights, fields, products.parts[block]);
   });
+  gradient.collect(weights, fields, products);
 }
 
 }  // namespace lamella::energy

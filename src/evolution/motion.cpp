@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "energy/volume_products.h"
 #include "evolution/masses.h"
 #include "evolution/rigid_velocity.h"
 #include "film/blocks.h"
@@ -52,6 +51,7 @@ Motion::Motion(scene::Scene& scene, Method method, VolumeMode volumes)
   take_up_swept_places();
   energy_ = terms_.gradient(x_);
   masses_ = carried_masses(scene.film, terms_.lines());
+  work_ = std::make_unique<SweepWork>(*this);
   weigh();
   sound_ = linearise();
   for (std::size_t i = 0; i < present_.size(); ++i)
@@ -91,6 +91,74 @@ void Motion::hold_together(std::vector<std::vector<film::Vertex>> sets) {
   sound_ = linearise();
 }
 
+// What goes along with a sweep at the end of a step: before it the kick and the move there, after it what
+// volumes need of the new lines.
+class Motion::SweepWork : public energy::RowWork {
+ public:
+  explicit SweepWork(Motion& motion) : motion_(motion), sums_(motion.terms_.work_parts()) {
+    motion_.products_.parts.resize(sums_.size());
+  }
+  // Products will be of these velocities.
+  void start(bool kicks, std::span<const Vec3> velocities) {
+    kicks_ = kicks;
+    velocities_ = velocities;
+    std::fill(sums_.begin(), sums_.end(), KickSums{});
+    for (energy::VolumeGradient::RunSums& part : motion_.products_.parts) part.clear();
+  }
+  void before(std::size_t part, std::size_t first, std::size_t last) override {
+    if (kicks_) motion_.kick_rows(motion_.pace_, true, first, last, sums_[part]);
+  }
+  void after(std::size_t part, std::size_t first, std::size_t last) override {
+    const std::size_t end = std::min(last, velocities_.size());  // further rows are images
+    if (first >= end) return;
+    motion_.terms_.volume_gradient().add_rows(
+        first, end, motion_.answers_, [&](std::size_t v) { return motion_.fields_at(v, velocities_); },
+        motion_.products_.parts[part]);
+  }
+  void collect() {
+    motion_.terms_.volume_gradient().collect(
+        motion_.answers_, [&](std::size_t v) { return motion_.fields_at(v, velocities_); },
+        motion_.products_);
+  }
+  KickSums sum() const {
+    KickSums whole;
+    for (const KickSums& part : sums_) whole += part;
+    return whole;
+  }
+
+ private:
+  Motion& motion_;
+  std::span<const Vec3> velocities_;
+  std::vector<KickSums> sums_;
+  bool kicks_ = false;
+};
+
+// Whether kick and products can go along with the sweep at the end of a step: nothing else is in between.
+bool Motion::goes_with_sweep() const {
+  return method_ == Method::euler && terms_.is_plain() && forces_.empty() && held_.empty() &&
+         !scene_.mass_of_area && paper_ == nullptr;
+}
+
+// The energy at the end of a step, and what goes along with its sweep.
+double Motion::sweep_next(bool kicks) {
+  multiplied_ = goes_with_sweep();
+  if (!multiplied_) return terms_.gradient(next_x_);
+  work_->start(kicks, next_v_);
+  const double energy = terms_.gradient(next_x_, work_.get());
+  work_->collect();
+  if (kicks) take_over(work_->sum());
+  return energy;
+}
+
+// Velocity, acceleration, and stiffness over mass.
+energy::VolumeGradient::Fields Motion::fields_at(std::size_t row, std::span<const Vec3> velocities) const {
+  const energy::VertexLine& line = terms_.lines()[row];
+  const double weight = weights_[row];
+  energy::Lane acceleration = -weight * energy::lane_at(&line.gradient.x);
+  if (!pushes_.empty() && weight != 0) acceleration += energy::lane_of(pushes_[row]);
+  return {energy::load(velocities, row), acceleration, line.stiffness * weight};
+}
+
 // After terms_.gradient at x_: outer forces, the bound, and the factors for the volume constraints.
 bool Motion::linearise() {
   const std::span<const energy::VertexLine> lines = terms_.lines();
@@ -100,13 +168,14 @@ bool Motion::linearise() {
   }
   forces_.advance(scene_.time);
   pushed_soundly_ = forces_.empty() || forces_.evaluate(x_, v_, lines, scene_.time, pushes_);
-  const bool pushed = !pushes_.empty();
-  const auto fields = [&](std::size_t v) {
-    Vec3 acceleration = -weights_[v] * lines[v].gradient;
-    if (pushed && weights_[v] != 0) acceleration += pushes_[v];
-    return energy::VolumeGradient::Fields(v_[v], acceleration, lines[v].stiffness * weights_[v]);
-  };
-  energy::multiply_all(terms_.volume_gradient(), answers_, fields, products_);
+  work_->start(false, v_);
+  terms_.work_after_sweep(*work_);
+  work_->collect();
+  return conclude();
+}
+
+// With the products at x_.
+bool Motion::conclude() {
   const double stiffest = products_.largest;
   const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
   bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;
@@ -120,43 +189,64 @@ Motion::Pace Motion::pace(double dt) const {
   return {dt, 1, span, span, std::exp(-scene_.damping * span)};
 }
 
+void Motion::prepare_kick() {
+  if (!is_free()) terms_.volume_gradient().set_multipliers(pressures_, multipliers_);
+}
+
 // The kick from the forces at x_, and where `drifts` the pull of the multipliers and the move after it: all
 // in one pass, as memory is what it costs.
 void Motion::kick(const Pace& pace, bool drifts) {
-  energy::VolumeGradient& volume = terms_.volume_gradient();
-  if (!is_free()) volume.set_multipliers(pressures_, multipliers_);
-  const KickSums sums = film::sum_of_blocks(
-      x_.size(), [&](std::size_t first, std::size_t last) { return kick_rows(pace, drifts, first, last); });
-  next_kinetic_ = sums.kinetic;
-  work_ += sums.work;
-  damped_ = sums.kicked * (1 / (pace.kept * pace.kept) - 1);
+  prepare_kick();
+  take_over(film::sum_of_blocks(x_.size(), [&](std::size_t first, std::size_t last) {
+    KickSums sums;
+    kick_rows(pace, drifts, first, last, sums);
+    return sums;
+  }));
 }
 
-Motion::KickSums Motion::kick_rows(const Pace& pace, bool drifts, std::size_t first, std::size_t last) {
+void Motion::take_over(const KickSums& sums) {
+  next_kinetic_ = 0.5 * energy::sum_of_3(sums.kinetic);
+  pushed_ += sums.work;
+  damped_ = 0.5 * energy::sum_of_3(sums.kicked) * (1 / (pace_.kept * pace_.kept) - 1);
+}
+
+void Motion::kick_rows(const Pace& pace, bool drifts, std::size_t first, std::size_t last, KickSums& sums) {
+  using energy::Lane;
   const std::span<const energy::VertexLine> lines = terms_.lines();
-  const energy::VolumeGradient& volume = terms_.volume_gradient();
-  const bool free = is_free();
   const bool pushed = !pushes_.empty();
-  KickSums sums;
-  for (std::size_t v = first; v < last; ++v) {
+  const auto move = [&](std::size_t v, const Lane& pressure, const Lane& impulse) {
     const double weight = weights_[v];
-    const auto [pressure, impulse] = free ? std::pair<Vec3, Vec3>{} : volume.pulls(v);
-    Vec3 velocity = pace.carried * v_[v] + (pace.push * weight) * (pressure - lines[v].gradient);
+    const Lane before = pace.carried * energy::load(v_, v);
+    Lane velocity = before + (pace.push * weight) * (pressure - energy::lane_at(&lines[v].gradient.x));
     if (pushed && weight != 0) {
-      velocity += pace.push * pushes_[v];
-      const Vec3 mean = pace.carried > 0 ? 0.5 * (velocity + v_[v]) : velocity;
-      sums.work += pace.span * masses_[v] * dot(pushes_[v], mean);
+      const Lane push = energy::lane_of(pushes_[v]);
+      velocity += pace.push * push;
+      const Lane mean = pace.carried > 0 ? 0.5 * (velocity + before) : velocity;
+      sums.work += pace.span * masses_[v] * energy::sum_of_3(push * mean);
     }
-    velocity = pace.kept * velocity;
-    sums.kicked += 0.5 * masses_[v] * squared_length(velocity);
+    velocity *= pace.kept;
+    sums.kicked += masses_[v] * (velocity * velocity);
     if (drifts) {
-      velocity += weight * impulse;
-      next_x_[v] = x_[v] + pace.dt * velocity;
-      sums.kinetic += 0.5 * masses_[v] * squared_length(velocity);
+      velocity += answers_[v] * impulse;
+      next_x_[v] = energy::vector_of(energy::load(x_, v) + pace.dt * velocity);
+      sums.kinetic += masses_[v] * (velocity * velocity);
     }
-    next_v_[v] = velocity;
+    next_v_[v] = energy::vector_of(velocity);
+  };
+  if (is_free()) {
+    for (std::size_t v = first; v < last; ++v) move(v, Lane{}, Lane{});
+    return;
   }
-  return sums;
+  const auto inner = [&](std::size_t from, std::size_t to, double pressure, double impulse) {
+    for (std::size_t v = from; v < to; ++v) {
+      const Lane vector = terms_.volume_gradient().inner_vector(v);
+      move(v, pressure * vector, impulse * vector);
+    }
+  };
+  const auto border = [&](std::size_t v, const Vec3& pressure, const Vec3& impulse) {
+    move(v, energy::lane_of(pressure), energy::lane_of(impulse));
+  };
+  terms_.volume_gradient().for_each_pull(first, last, inner, border);
 }
 
 // Velocities with the pull of the multipliers, and the move with them.
@@ -253,7 +343,7 @@ bool Motion::implicit_step(double dt) {
   if (!solved) return false;
   next_kinetic_ = 0;
   for (std::size_t v = 0; v < x_.size(); ++v) {
-    if (!pushes_.empty()) work_ += masses_[v] * dot(pushes_[v], moves[v]);
+    if (!pushes_.empty()) pushed_ += masses_[v] * dot(pushes_[v], moves[v]);
     next_v_[v] = centred ? kept * ((2 / dt) * moves[v] - next_v_[v]) : (kept / dt) * moves[v];
     next_x_[v] = x_[v] + moves[v];
     next_kinetic_ += 0.5 * masses_[v] * squared_length(next_v_[v]);
@@ -281,7 +371,7 @@ bool Motion::second_kick(double dt) {
     next_v_[v] += (half * weights_[v]) * force;
     if (!pushes_.empty() && weights_[v] != 0) {
       next_v_[v] += half * pushes_[v];
-      work_ += 0.5 * half * masses_[v] * dot(pushes_[v], next_v_[v] + before);
+      pushed_ += 0.5 * half * masses_[v] * dot(pushes_[v], next_v_[v] + before);
     }
     const double undamped = 0.5 * masses_[v] * squared_length(next_v_[v]);
     next_v_[v] = kept * next_v_[v];
@@ -319,7 +409,7 @@ bool Motion::rises_from_nowhere(double energy, double kinetic) const {
   if (terms_.constraints().moves()) return false;
   const bool inflating = std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
                                      [](const scene::Body& body) { return body.ramp.has_value(); });
-  const double before = energy_ + kinetic_ + std::max(0.0, work_);
+  const double before = energy_ + kinetic_ + std::max(0.0, pushed_);
   return !inflating && energy + kinetic > before + most_energy_rise * std::abs(before);
 }
 
@@ -332,23 +422,26 @@ Ending Motion::undo(Ending why) {
 }
 
 // Fills next_x_, next_v_, next_pressures_ with where the method goes, volumes kept to first order.
-bool Motion::propose(double dt) {
+bool Motion::propose() {
+  const double dt = pace_.dt;
   next_pressures_ = pressures_;
-  work_ = 0;
+  pushed_ = 0;
   if (is_implicit(method_)) {
     const bool solved = implicit_step(dt);
     watch_.lap(times_.forces);
     return solved;
   }
-  const Pace pace = this->pace(dt);
   if (held_.empty()) {
-    if (!is_free()) foresee_volumes(pace);
+    if (!is_free()) foresee_volumes(pace_);
     watch_.lap(times_.volumes);
-    kick(pace, true);
+    if (kicks_in_sweep_)
+      prepare_kick();
+    else
+      kick(pace_, true);
     watch_.lap(times_.other);
     return true;
   }
-  kick(pace, false);
+  kick(pace_, false);
   kicked_ = evolution::balance(x_, next_v_, masses_);
   stiffen();
   watch_.lap(times_.other);
@@ -366,7 +459,10 @@ bool Motion::propose(double dt) {
 Ending Motion::step(double dt) {
   if (!sound_) return pushed_soundly_ && std::isfinite(energy_) ? Ending::volume_lost : Ending::not_finite;
   watch_.start();
-  if (!propose(dt)) return undo(Ending::not_finite);
+  pace_ = pace(dt);
+  one_pass_ = goes_in_one_pass();
+  kicks_in_sweep_ = goes_with_sweep() && (errors_.empty() || one_pass_);
+  if (!propose()) return undo(Ending::not_finite);
   terms_.set_time(scene_.time + dt);
   if (!keep_constraints(dt)) return undo(Ending::constraint_lost);
   // A turn changes volumes to second order: what is left to be given back after them is next to nothing.
@@ -375,7 +471,7 @@ Ending Motion::step(double dt) {
   if (!errors_.empty() && !keep_volumes(dt)) return undo(Ending::volume_lost);
   give_back_momentum(dt);
   watch_.lap(times_.volumes);
-  const double energy = terms_.gradient(next_x_);
+  const double energy = sweep_next(kicks_in_sweep_);
   watch_.lap(times_.forces);
   if ((one_pass_ || relies_on_sweep_) && missed_too_far(dt)) {
     undo(Ending::volume_lost);
@@ -404,14 +500,14 @@ void Motion::accept(double dt, double energy) {
   std::swap(pressures_, next_pressures_);
   energy_ = energy;
   kinetic_ = next_kinetic_;
-  scene_.work += work_ - damped_;
+  scene_.work += pushed_ - damped_;
   scene_.time += dt;
   scene::advance_targets(scene_, scene_.time);
   for (std::size_t i = 0; i < pressures_.size(); ++i)
     scene_.body(terms_.constrained()[i]).pressure = pressures_[i];
   is_settled_ = false;
   watch_.lap(times_.other);
-  sound_ = linearise();
+  sound_ = multiplied_ ? conclude() : linearise();
   watch_.lap(times_.volumes);
   times_.steps += 1;
   times_.facets += static_cast<double>(terms_.triangle_count());
@@ -435,7 +531,7 @@ double Motion::last_move() const {
 
 void Motion::store() {
   std::ranges::copy(settled(), scene_.film.edit_positions().begin());
-  store_motion(scene_.film, masses_, v_);
+  store_motion(scene_.film, masses_, velocities_when_settled());
   memory_.store(scene_);
   forces_.store(scene_);
 }

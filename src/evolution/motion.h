@@ -105,9 +105,14 @@ class Motion {
  private:
   using Vectors = std::vector<Vec3, film::LargePages<Vec3>>;
 
+  class SweepWork;
   bool linearise();
+  energy::VolumeGradient::Fields fields_at(std::size_t row, std::span<const Vec3> velocities) const;
+  bool conclude();
+  double sweep_next(bool kicks);
+  bool goes_with_sweep() const;
   void weigh();
-  bool propose(double dt);
+  bool propose();
   // How a step changes velocities: kept * (carried * v + push * acceleration).
   struct Pace {
     double dt = 0;
@@ -117,11 +122,12 @@ class Motion {
     double kept = 1;  // by damping
   };
   Pace pace(double dt) const;
-  // Sums over vertices of the work of outer forces and of energies of motion: after the kick, and at the end.
+  // Sums over vertices of the work of outer forces and of energies of motion (twice, by axes): after the
+  // kick, and at the end.
   struct KickSums {
     double work = 0;
-    double kicked = 0;
-    double kinetic = 0;
+    energy::Lane kicked{};
+    energy::Lane kinetic{};
     KickSums& operator+=(const KickSums& other) {
       work += other.work;
       kicked += other.kicked;
@@ -129,8 +135,10 @@ class Motion {
       return *this;
     }
   };
+  void prepare_kick();
   void kick(const Pace& pace, bool drifts);
-  KickSums kick_rows(const Pace& pace, bool drifts, std::size_t first, std::size_t last);
+  void kick_rows(const Pace& pace, bool drifts, std::size_t first, std::size_t last, KickSums& sums);
+  void take_over(const KickSums& sums);
   // Whether volumes play no part in forces.
   bool is_free() const { return errors_.empty() || paper_ != nullptr; }
   // The implicit methods move all vertices alike.
@@ -150,6 +158,7 @@ class Motion {
   // In motion_volumes.cpp.
   bool settles() const;
   const Vectors& settled();
+  Vectors velocities_when_settled();
   void take_up_swept_places();
   double target(std::size_t row, double time) const;
   double smallest_target() const;
@@ -157,6 +166,7 @@ class Motion {
   void impose_volumes(double dt);
   void project_velocities(double dt);
   void correct(double dt);
+  bool goes_in_one_pass() const;
   bool keep_volumes(double dt);
   double most_missed() const;
   double compare(std::span<const double> volumes, double time);
@@ -176,6 +186,7 @@ class Motion {
   std::unique_ptr<PaperCorrection> paper_;
   std::unique_ptr<ImplicitSolver> implicit_;
   energy::VolumeGradient::Products products_;  // of the gradients with v_ and with what accelerates it at x_
+  std::unique_ptr<SweepWork> work_;
   std::vector<double> masses_;
   std::vector<double> ones_;     // where volumes are kept of sets that are held
   std::vector<double> weights_;  // inverse masses, 0 for vertices that stay
@@ -200,11 +211,14 @@ class Motion {
   double energy_ = 0;
   double kinetic_ = 0;
   double next_kinetic_ = 0;
-  double work_ = 0;    // of outer forces in the step being made
+  double pushed_ = 0;  // work of outer forces in the step being made
   double damped_ = 0;  // energy that damping takes in it
   double bound_ = 0;
   double mass_ = 0;
-  bool one_pass_ = false;         // the step being made does not look at its volumes
+  Pace pace_;                     // of the step being made
+  bool kicks_in_sweep_ = false;   // its kick has not been made yet
+  bool multiplied_ = false;       // the sweep at its end has given the products
+  bool one_pass_ = false;         // it does not look at its volumes
   bool relies_on_sweep_ = false;  // or not after the last correction
   bool distrusts_rate_ = false;   // that has failed: the step is being made again
   StepTimes times_;

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evolution/masses.h"
 #include "evolution/motion.h"
+#include "evolution/rigid_velocity.h"
 #include "evolution/swept_places.h"
 #include "film/blocks.h"
 
@@ -68,9 +70,27 @@ double Motion::volume_error() {
   return settles() && sound_ ? settled_error_ : compare(present_, scene_.time);
 }
 
+// What settling turns the film by is given back to the velocities of a film that nothing holds.
+Motion::Vectors Motion::velocities_when_settled() {
+  const Vectors& places = settled();
+  Vectors result = v_;
+  if (&places == &x_ || std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; }))
+    return result;
+  const Balance before = evolution::balance(x_, v_, masses_);
+  Balance missing;
+  missing.mass = before.mass;
+  missing.angular_momentum =
+      before.angular_momentum - evolution::balance(places, v_, masses_).angular_momentum;
+  const RigidVelocity shift = rigid_velocity(missing, places, masses_, kept_by(scene_));
+  for (std::size_t v = 0; v < result.size(); ++v) result[v] += shift.at(places[v]);
+  return result;
+}
+
 void Motion::leave() {
   store();
-  if (settles() && sound_) store_swept_places(scene_, x_);
+  if (!settles() || !sound_) return;
+  store_velocities(scene_.film, v_);
+  store_swept_places(scene_, x_);
 }
 
 void Motion::take_up_swept_places() {
@@ -171,12 +191,15 @@ double Motion::look_at_volumes(std::span<const Vec3> positions, double time) {
   return compare(terms_.held_values(), time);
 }
 
+bool Motion::goes_in_one_pass() const {
+  if (is_implicit(method_)) return false;
+  return volume_mode_ == VolumeMode::lagged ||
+         (volume_mode_ == VolumeMode::automatic && memory_.miss() < missed_little * most_missed());
+}
+
 bool Motion::keep_volumes(double dt) {
   if (volume_mode_ == VolumeMode::paper) return correct_as_paper(dt);
   relies_on_sweep_ = false;
-  one_pass_ = !is_implicit(method_) &&
-              (volume_mode_ == VolumeMode::lagged ||
-               (volume_mode_ == VolumeMode::automatic && memory_.miss() < missed_little * most_missed()));
   if (one_pass_) return true;
   relies_on_sweep_ = volume_mode_ == VolumeMode::automatic && !distrusts_rate_ && !is_implicit(method_);
   const double unseen = relies_on_sweep_ ? most_left_to_the_sweep * most_missed() : most_left_unseen;

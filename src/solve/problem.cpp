@@ -100,7 +100,7 @@ void Problem::set_targets(const scene::Scene& scene) {
 bool Problem::factorise() {
   const std::span<const energy::VertexLine> lines = energy_.lines();
   const auto fields = [&](std::size_t v) {
-    return energy::VolumeGradient::Fields(weights_[v] * lines[v].gradient, Vec3{}, 0);
+    return energy::VolumeGradient::Fields{weights_[v] * energy::lane_at(&lines[v].gradient.x), {}, 0};
   };
   energy::multiply_all(energy_.volume_gradient(), weights_, fields, products_);
   return gram_.factorise(products_.gram) && (parameters_.empty() || factorise_parameters());

@@ -134,7 +134,7 @@ TEST(Integrators, ABubbleRingsAtItsFrequencies) {
 TEST(Integrators, EnergyStays) {
   Scene scene = bubble_at_rest(3);
   const double radius = std::cbrt(3 / (4 * M_PI));
-  swing(scene, 2, 0.05);
+  swing(scene, 2, 0.02);
   Motion motion(scene, Method::verlet);
   const double start = motion.energy() + motion.kinetic();
   double worst = 0;
