@@ -113,10 +113,10 @@ class VolumeSum {
       sum_ += sixfold;
       return;
     }
+    const Lane volume = (1.0 / 6) * sixfold;
     for (std::size_t i = 0; i < lanes; ++i) {
-      const double volume = sixfold[i] / 6;
-      volumes_[batch.regions[i].behind.index] += volume;
-      volumes_[batch.regions[i].front.index] -= volume;
+      volumes_[batch.regions[i].behind.index] += volume[i];
+      volumes_[batch.regions[i].front.index] -= volume[i];
     }
   }
 

@@ -27,7 +27,7 @@ constexpr double part_of_missed = 1e-3;  // of what may be missed
 // anybody looks, it is the forces that are to be taken near enough to the film that is shown; else volumes
 // are as far off as this says.
 constexpr double missed_much = 1e-10;
-constexpr double missed_much_unseen = 1e-5;
+constexpr double missed_much_unseen = 5e-5;
 constexpr double missed_little = 0.2;
 
 }  // namespace
