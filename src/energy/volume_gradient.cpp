@@ -19,6 +19,7 @@ film::RegionPair sorted(film::RegionPair pair) {
   return pair.behind < pair.front ? pair.flipped() : pair;
 }
 
+constexpr std::ptrdiff_t most_recent = 32;
 constexpr film::RegionPair mixed{film::Region{1}, film::Region{0}};  // never sorted, so never a film's pair
 
 }  // namespace
@@ -135,23 +136,38 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
 }
 
 void VolumeGradient::build_pattern() {
-  for (int i = 0; i < rows_; ++i) pattern_.push_back({i, i});
-  for (const Pair& pair : pairs_) {
-    if (pair.high >= 0 && pair.low >= 0)
-      pattern_.push_back({std::max(pair.high, pair.low), std::min(pair.high, pair.low)});
-  }
-  for (const BorderVertex& border : borders_) {
-    for (std::uint32_t s = border.first; s < border.last; ++s) {
-      for (std::uint32_t t = border.first; t <= s; ++t) pattern_.push_back({slot_rows_[s], slot_rows_[t]});
+  const auto each_entry = [&](auto&& function) {
+    for (int i = 0; i < rows_; ++i) function(i, i);
+    for (const Pair& pair : pairs_) {
+      if (pair.high >= 0 && pair.low >= 0)
+        function(std::max(pair.high, pair.low), std::min(pair.high, pair.low));
     }
+    for (const BorderVertex& border : borders_) {
+      for (std::uint32_t s = border.first; s < border.last; ++s) {
+        for (std::uint32_t t = border.first; t <= s; ++t) function(slot_rows_[s], slot_rows_[t]);
+      }
+    }
+  };
+  // Columns by rows: the same ones come again and again, mostly soon.
+  std::vector<std::vector<int>> columns(static_cast<std::size_t>(rows_));
+  each_entry([&](int row, int column) {
+    std::vector<int>& of_row = columns[static_cast<std::size_t>(row)];
+    const auto end =
+        of_row.rend() - of_row.rbegin() > most_recent ? of_row.rbegin() + most_recent : of_row.rend();
+    if (std::find(of_row.rbegin(), end, column) == end) of_row.push_back(column);
+  });
+  std::vector<std::size_t> first(columns.size() + 1, 0);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    std::sort(columns[i].begin(), columns[i].end());
+    columns[i].erase(std::unique(columns[i].begin(), columns[i].end()), columns[i].end());
+    for (const int column : columns[i]) pattern_.push_back({static_cast<int>(i), column});
+    first[i + 1] = pattern_.size();
   }
-  std::sort(pattern_.begin(), pattern_.end());
-  pattern_.erase(std::unique(pattern_.begin(), pattern_.end()), pattern_.end());
-
   const auto entry = [&](int row, int column) {
-    const auto at = std::lower_bound(pattern_.begin(), pattern_.end(),
-                                     GramEntry{std::max(row, column), std::min(row, column)});
-    return static_cast<int>(at - pattern_.begin());
+    const auto of_row = static_cast<std::size_t>(std::max(row, column));
+    const std::vector<int>& known = columns[of_row];
+    const auto at = std::lower_bound(known.begin(), known.end(), std::min(row, column));
+    return static_cast<int>(first[of_row] + static_cast<std::size_t>(at - known.begin()));
   };
   for (Pair& pair : pairs_) {
     if (pair.high >= 0) pair.entry_high = entry(pair.high, pair.high);
