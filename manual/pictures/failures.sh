@@ -54,6 +54,7 @@ scene() {  # name, datafile, commands before
     timed "$lamella" "$2" -e "$3; relax 500 method=$method" | note "$1" "$method"
   done
   timed "$lamella" "$2" -e "$3; relax" | note "$1" relax
+  timed "$lamella" "$2" -e "$3; relax topology saddle=leave" | note "$1" topology
   command -v evolver > /dev/null || return 0
   for mode in 'g 500' 'U; g 500' 'g 5; hessian; hessian; hessian; hessian; hessian'; do
     printf 'quiet\n%s\n%s\n%s\n%s\nprintf "energy %%.12g angle %%.3g miss %%.2g\\n", total_energy, least, miss\nq\nq\n' \
@@ -101,7 +102,7 @@ awk -F, '
     if (text ~ /volumes cannot be brought/) text = "volumes missed"
     if (text == "step limit reached") text = "500 steps"
     if (text ~ /^refused/) text = "refused"
-    if (m != "relax" && text != "volumes missed" && outcome_of[s, "relax"] ~ /^converged/ && energy_of[s, m] != "") {
+    if (m != "relax" && m != "topology" && text != "volumes missed" && outcome_of[s, "relax"] ~ /^converged/ && energy_of[s, m] != "") {
       excess = energy_of[s, m] / energy_of[s, "relax"] - 1
       text = sprintf("%+.0e", excess)
       if (excess < 1e-8 && excess > -1e-8) text = "there"
@@ -112,7 +113,7 @@ awk -F, '
   END {
     for (i = 1; i <= count; ++i) {
       s = order[i]
-      printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", s, cell(s, "descent"), cell(s, "cg"), cell(s, "lbfgs"),
-        cell(s, "newton"), cell(s, "Evolver g"), cell(s, "Evolver U"), cell(s, "Evolver hessian"), cell(s, "relax")
+      printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", s, cell(s, "descent"), cell(s, "cg"), cell(s, "lbfgs"),
+        cell(s, "newton"), cell(s, "Evolver g"), cell(s, "Evolver U"), cell(s, "Evolver hessian"), cell(s, "relax"), cell(s, "topology")
     }
   }' "$csv"

@@ -320,12 +320,7 @@ bool Relaxer::renew_mesh() {
 bool Relaxer::leave() {
   if (!options_.leave_saddle || !report_.converged() || !report_.stability.known) return false;
   if (report_.stability.negative_modes == 0 || report_.saddles_left == most_departures) return false;
-  solve::Problem problem(scene_);
-  solve::NewtonSystem system(problem, scene_.film, MotionKind::normal);
-  const std::span<Vec3> x = scene_.film.edit_positions();
-  bool ok = false;
-  system.linearise(x, ok);
-  if (!ok || !solve::leave_saddle(system, x, HUGE_VAL, monitor_).moved) return false;
+  if (!descend_from_saddle(scene_, monitor_)) return false;
   report_.stability = {};
   ++report_.saddles_left;
   return true;
@@ -359,6 +354,15 @@ RelaxReport Relaxer::run() {
 
 RelaxReport relax(scene::Scene& scene, const RelaxOptions& options, scene::Monitor& monitor) {
   return Relaxer(scene, options, monitor).run();
+}
+
+bool descend_from_saddle(scene::Scene& scene, scene::Monitor& monitor) {
+  solve::Problem problem(scene);
+  solve::NewtonSystem system(problem, scene.film, MotionKind::normal);
+  const std::span<Vec3> x = scene.film.edit_positions();
+  bool ok = false;
+  system.linearise(x, ok);
+  return ok && solve::leave_saddle(system, x, HUGE_VAL, monitor).moved;
 }
 
 }  // namespace lamella::evolution

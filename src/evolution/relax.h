@@ -48,4 +48,8 @@ struct RelaxReport {
 // descent meets it, or with a motion given, there is no Newton step, and stability stays unknown.
 RelaxReport relax(scene::Scene& scene, const RelaxOptions& options, scene::Monitor& monitor);
 
+// From a saddle to a place farther down, along a mode of negative curvature. False if there is none to be
+// found.
+bool descend_from_saddle(scene::Scene& scene, scene::Monitor& monitor);
+
 }  // namespace lamella::evolution

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "energy/measure.h"
+#include "energy/mesh_quality.h"
 #include "film/box_tree.h"
 #include "scene/constraint_sets.h"
 #include "surgery/pop.h"
@@ -20,8 +22,10 @@ constexpr int most_idle_rounds = 3;  // one after the other, in which the topolo
 // A wave crosses the film in its diameter's time (its speed is 1 at tension 1): damped over a sixth of that,
 // what moves creeps, and still gets anywhere.
 constexpr double damping_over_diameter = 6;
-constexpr long spell = 50;        // steps between two looks at whether all is at rest
-constexpr int most_spells = 12;   // in a round
+constexpr long spell = 50;                // steps between two looks at whether all is at rest
+constexpr int most_spells = 12;           // in a round
+constexpr double far_from_targets = 0.1;  // in parts of a volume
+constexpr double rough_angle = 10 * M_PI / 180;
 constexpr double at_rest = 1e-5;  // kinetic energy, as a part of the film's
 
 double diameter(const film::Film& film) {
@@ -50,6 +54,19 @@ class MotionAside {
   double damping_;
 };
 
+// Whether it may be the mesh alone that a film collapses by, in the first place.
+bool is_rough(const Scene& scene) {
+  double missing = 0;
+  if (scene.has_fixed_volume()) {
+    const energy::Measures measures = energy::measure(scene);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      if (!scene.bodies[i].fixed_volume()) continue;
+      missing = std::max(missing, std::abs(measures.volumes[i + 1] / *scene.bodies[i].target_volume - 1));
+    }
+  }
+  return missing > far_from_targets || energy::smallest_angle(scene.film) < rough_angle;
+}
+
 // Returns whether anything was popped.
 bool pop_all(Scene& scene, const OnEvents& on_events) {
   std::vector<film::Edge> edges;
@@ -65,6 +82,13 @@ bool pop_all(Scene& scene, const OnEvents& on_events) {
   scene::constrain_vertices(scene);
   if (on_events && !report.events.empty()) on_events(scene, report.events);
   return true;
+}
+
+// Where going down from a saddle leads to a collapse: the way there, to be gone in motion.
+void go_past_saddle(Scene& scene, RelaxOptions options, scene::Monitor& monitor) {
+  const Scene before = scene;
+  options.leave_saddle = false;
+  if (!relax(scene, options, monitor).converged() || !descend_from_saddle(scene, monitor)) scene = before;
 }
 
 // Returns how the motion ended; `changed` tells whether the topology has.
@@ -94,19 +118,22 @@ Ending creep(Scene& scene, scene::Monitor& monitor, const OnEvents& on_events, b
 RelaxReport relax_with_topology(Scene& scene, const RelaxOptions& options, scene::Monitor& monitor,
                                 const OnEvents& on_events) {
   RelaxReport report;
-  RelaxOptions plain = options;
-  plain.new_meshes = false;  // where the film would collapse the mesh is mended in motion
+  RelaxOptions wanted = options;
+  wanted.new_meshes = options.new_meshes && is_rough(scene);
   int idle = 0;
   for (int round = 0; round < most_rounds && !scene.empty(); ++round) {
     const Scene before = scene;
-    report = relax(scene, plain, monitor);
+    report = relax(scene, wanted, monitor);
     if (report.ending == Ending::stopped) break;
     if (report.converged()) {
       if (report.crowded == 0 || !pop_all(scene, on_events)) break;
       continue;
     }
     scene = before;
+    wanted.new_meshes = false;  // where the film still collapses the mesh is mended in motion
     if (pop_all(scene, on_events)) continue;
+    // At a saddle nothing would move.
+    if (report.saddles_left > 0) go_past_saddle(scene, wanted, monitor);
     bool changed = false;
     const Ending ending = creep(scene, monitor, on_events, changed);
     if (ending == Ending::stopped) {

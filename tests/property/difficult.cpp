@@ -192,5 +192,29 @@ TEST(Difficult, NewtonFromFarAwayNeverRaisesTheEnergy) {
   }
 }
 
+// Where relax finds no equilibrium, or none that is kept, there is one of another topology: two discs for the
+// catenoid, drops for the column, three films on an edge for four.
+TEST(Difficult, RelaxTopologyGoesOn) {
+  const Folder folder;
+  Trial catenoid;
+  catenoid.session().load(with(folder, "fold.fe", "half", "0.7"));
+  catenoid.out("relax topology; check");
+  EXPECT_EQ(catenoid.number("stable"), 1);
+  EXPECT_NEAR(catenoid.number("total_area"), 24 * std::sin(M_PI / 12),
+              1e-9);  // two regular polygons of 24 sides
+  Trial column;
+  column.session().load(with(folder, "column.fe", "length", "6.346"));
+  column.out("relax topology saddle=leave; check");
+  EXPECT_EQ(column.number("stable"), 1);
+  EXPECT_EQ(column.number("body_count"), 2);
+  EXPECT_NEAR(
+      column.number("body[1].volume + body[2].volume") / column.number("body[1].target + body[2].target"), 1,
+      1e-11);
+  EXPECT_LT(column.number("total_energy"), 42.5);
+  Trial four(("difficult/four_films.fe"));
+  four.out("refine; relax topology; check");
+  EXPECT_EQ(four.number("stable"), 1);
+}
+
 }  // namespace
 }  // namespace lamella::trial
