@@ -26,6 +26,7 @@ constexpr double look_after_near = 0.05;  // where sheets are near one another
 constexpr double look_after_tight = 0.01;
 constexpr double mend_after = 0.2;  // and until what can wait is mended
 constexpr double look_at_end = 1e-3;
+constexpr double evened_from = 0.1;   // the way of a vertex to the middle of those around it
 constexpr double contact = 0.15;      // sheets nearer than this touch
 constexpr double near_margin = 0.15;  // beyond that, sheets are near one another
 constexpr double step_near = 0.05;    // the way in a step of sheets that are near one another
@@ -176,7 +177,9 @@ class Touched {
 }  // namespace
 
 TopologyKeeper::TopologyKeeper(bool keeps_energy)
-    : keeps_energy_(keeps_energy), proximity_(contact, near_margin) {}
+    : keeps_energy_(keeps_energy), proximity_(contact, near_margin) {
+  options_.mesh.least_move = evened_from;
+}
 
 void TopologyKeeper::take_up(TopologyMemory& memory, const Film& film) {
   if (memory.position_revision != film.position_revision()) return;

@@ -40,7 +40,6 @@ constexpr int flip_passes = 3;
 constexpr double tight_wedge = 40 * M_PI / 180;
 constexpr double needle_altitude = 0.1;  // in sizes, of a facet whose corner has come near a line
 constexpr double rim_passed = 0.2;       // the altitude, in sizes, of facets that a free rim takes back
-constexpr double least_move = 0.1;       // in sizes, of a vertex that is evened out
 constexpr double room_to_grow = 0.9;     // of the longest edge, for one that a collapse makes
 
 double edge_length(const Film& film, Edge e) {
@@ -331,7 +330,7 @@ void Remesher::even_out() {
     if (!scene::constraints_of(scene_, film::ElementKind::vertex, v.index).empty()) continue;
     if (has_narrow_wedge(film_, facets_at(film_, std::span(&v, 1)), tight_wedge)) continue;
     const Vec3 move = averaging_move(film_, v, Averaging::keep_volume);
-    if (length(move) > least_move * size_of(film_, v)) moves.emplace_back(v, move);
+    if (length(move) > options_.least_move * size_of(film_, v)) moves.emplace_back(v, move);
   }
   for (const auto& [v, move] : moves) {
     if (!may_move(v, film_.position(v) + move)) continue;

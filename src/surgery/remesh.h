@@ -12,6 +12,7 @@ struct RemeshOptions {
   double shortest = 0.5;     // and collapse below this
   double flip_slack = 0.35;  // radians by which opposite angles may exceed a half turn
   double sliver = 0.15;      // facets lower than this, in units of their longest side, are mended
+  double least_move = 0;     // in sizes, of a vertex that is evened out; of a film in motion little ones wait
   int rounds = 2;
 };
 
