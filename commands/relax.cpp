@@ -72,15 +72,15 @@ evolution::LevelsReport relax(Session& session, const RelaxOptions& options) {
   return report;
 }
 
-// What is known of the equilibrium.
-std::string nature(const evolution::RelaxReport& report) {
+// What is known of the equilibrium, and what may help.
+std::string nature(const evolution::RelaxReport& report, bool topology) {
   const solve::Stability& stability = report.stability;
   const auto many = [](std::size_t count, const char* word) {
     return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
   };
   if (report.ending == solve::Ending::collapsed)
-    return fmt::format("facets vanish near ({:.4g}, {:.4g}, {:.4g})", report.pinch.x, report.pinch.y,
-                       report.pinch.z);
+    return fmt::format("facets vanish near ({:.4g}, {:.4g}, {:.4g}){}", report.pinch.x, report.pinch.y,
+                       report.pinch.z, topology ? "" : " (relax topology lets the film pinch)");
   if (!stability.known) return "stability not known";
   if (stability.negative_modes > 0) {
     return "saddle with " + many(static_cast<std::size_t>(stability.negative_modes), "negative mode") +
@@ -88,7 +88,8 @@ std::string nature(const evolution::RelaxReport& report) {
   }
   if (report.crowded > 0) {
     return "unstable: " + many(report.crowded, "place") +
-           " where more than three films share an edge, or more than four borders a point";
+           " where more than three films share an edge, or more than four borders a point" +
+           (topology ? "" : " (relax topology pops them)");
   }
   return "stable";
 }
@@ -108,7 +109,7 @@ void tell_levels(Session& session, const evolution::LevelsReport& report, std::o
                to && !report.accurate ? ": not as accurate as asked for, see facets=" : "");
 }
 
-void tell(Session& session, const evolution::RelaxReport& report, double seconds) {
+void tell(Session& session, const evolution::RelaxReport& report, bool topology, double seconds) {
   session.counter("residual") = session.counter("relax_residual") = report.residual;
   session.counter("converged") = session.counter("relax_converged") = report.converged() ? 1 : 0;
   session.counter("stable") = report.stable() ? 1 : 0;
@@ -120,7 +121,8 @@ void tell(Session& session, const evolution::RelaxReport& report, double seconds
     session.tell("left {} saddle{} on the way\n", report.saddles_left, report.saddles_left == 1 ? "" : "s");
   session.tell("{} after {} iterations: energy {:.12g}, residual {:.2g}, {:.3f} s\n",
                solve::describe(report.ending), report.iterations, report.energy, report.residual, seconds);
-  session.tell("{}; smallest angle {:.1f} degrees\n", nature(report), report.smallest_angle * 180 / M_PI);
+  session.tell("{}; smallest angle {:.1f} degrees\n", nature(report, topology),
+               report.smallest_angle * 180 / M_PI);
 }
 
 void run(Session& session, const RelaxOptions& options) {
@@ -136,7 +138,7 @@ void run(Session& session, const RelaxOptions& options) {
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   tell_levels(session, report, options.to);
-  tell(session, report.relax, seconds.count());
+  tell(session, report.relax, options.topology, seconds.count());
 }
 
 }  // namespace
