@@ -6,7 +6,9 @@ namespace lamella::film {
 
 namespace {
 
-constexpr double cell_of_mean = 1.5;     // the width of a cell over the mean longest side of a facet
+constexpr double cell_of_mean = 1.5;  // the width of a cell over the mean longest side of a facet
+constexpr double widest_cone = M_PI / 4;
+constexpr double cosine_at_most = 0.7;
 constexpr double most_cells_wide = 1.2;  // from its middle, of a facet that is not kept apart from the others
 
 double longest_side(const std::array<Vec3, 3>& p) {
@@ -26,8 +28,31 @@ FacetCells::NearBox FacetCells::rounded_outward(const Box& box, double margin) {
   return result;
 }
 
-void FacetCells::make(std::span<const std::array<Vec3, 3>> facets, std::span<const double> widths) {
+FacetCells::Sheet FacetCells::sheet_of(const RegionPair& regions) {
+  const bool flipped = regions.behind < regions.front;
+  return {flipped ? regions.flipped() : regions, flipped};
+}
+
+// The axis becomes the sum of normals.
+void FacetCells::add_to(Cone& cone, Triangle t, bool first) const {
+  if (first) cone.regions = regions_[t.index];
+  if (!(cone.regions == regions_[t.index])) cone.regions = {};
+  cone.axis += normals_[t.index];
+}
+
+// Whether any normal of the one is within 45 degrees of any of the other.
+bool FacetCells::are_one_sheet(const Cone& a, const Cone& b) {
+  if (a.regions.front == a.regions.behind || !(a.regions == b.regions)) return false;
+  if (!(a.cosine > cosine_at_most) || !(b.cosine > cosine_at_most)) return false;
+  const double between = std::acos(std::clamp(dot(a.axis, b.axis), -1.0, 1.0));
+  return between + std::acos(std::min(a.cosine, 1.0)) + std::acos(std::min(b.cosine, 1.0)) < widest_cone;
+}
+
+void FacetCells::make(std::span<const std::array<Vec3, 3>> facets, std::span<const double> widths,
+                      std::span<const RegionPair> regions) {
   const auto count = static_cast<std::uint32_t>(facets.size());
+  regions_.resize(count);
+  normals_.resize(count);
   keys_.resize(count);
   near_boxes_.resize(count);
   wide_.clear();
@@ -42,6 +67,10 @@ void FacetCells::make(std::span<const std::array<Vec3, 3>> facets, std::span<con
   for (std::uint32_t t = 0; t < count; ++t) {
     const std::array<Vec3, 3>& p = facets[t];
     const Box box = box_of(p);
+    const Sheet sheet = sheet_of(regions[t]);
+    const Vec3 normal = unit(cross(p[1] - p[0], p[2] - p[0]));
+    regions_[t] = sheet.regions;
+    normals_[t] = sheet.flipped ? -normal : normal;
     const Vec3 middle = 0.5 / width_ * (box.low + box.high);
     const Vec3 half = 0.5 * (box.high - box.low);
     const double reach = std::max({half.x, half.y, half.z}) + widths[t];
@@ -64,6 +93,13 @@ void FacetCells::make(std::span<const std::array<Vec3, 3>> facets, std::span<con
   }
   for (std::size_t b = 0; b < buckets; ++b) first_[b] = first_[b + 1];
   first_[buckets] = static_cast<std::uint32_t>(entries_.size());
+  cones_.assign(buckets, {});
+  for (std::size_t b = 0; b < buckets; ++b) {
+    Cone& cone = cones_[b];
+    for (std::uint32_t n = first_[b]; n < first_[b + 1]; ++n) add_to(cone, entries_[n].facet, n == first_[b]);
+    cone.axis = unit(cone.axis);
+    for (std::uint32_t n = first_[b]; n < first_[b + 1]; ++n) widen(cone, entries_[n].facet);
+  }
 }
 
 void FacetCells::sort_by_tower(std::span<const Box> boxes) {
@@ -85,7 +121,7 @@ void FacetCells::add_candidate(Triangle t) {
   }
 }
 
-void FacetCells::gather(const Box& box) {
+void FacetCells::gather(const Box& box, const Cone& cone) {
   candidates_.facet.clear();
   for (std::size_t k = 0; k < 3; ++k) {
     candidates_.low[k].clear();
@@ -107,6 +143,7 @@ void FacetCells::gather(const Box& box) {
         const std::uint64_t lowest = key_of(i, j, k);
         const std::uint64_t span = key_of(i, j, std::min(top, (k / tower + 1) * tower - 1)) - lowest;
         const std::size_t bucket = bucket_of(lowest);
+        if (first_[bucket] == first_[bucket + 1] || are_one_sheet(cone, cones_[bucket])) continue;
         for (std::uint32_t n = first_[bucket]; n < first_[bucket + 1]; ++n) {
           if (entries_[n].key - lowest <= span) add_candidate(entries_[n].facet);
         }

@@ -30,6 +30,7 @@ constexpr double part_of_altitude = 0.15;
 // A sheet is flat around a vertex where the normals of its facets turn from their mean by less than what this
 // is the cosine of (37 degrees).
 constexpr double flat_cosine = 0.8;
+constexpr double least_cosine = 0.94;  // 20 degrees
 constexpr std::size_t most_in_fan = 32;
 constexpr std::uint32_t most_stamps = 1U << 31U;  // before vertices are marked from the beginning again
 
@@ -110,6 +111,19 @@ double TangleWatch::way_left(Triangle t) const {
   return listed_for_[t.index] - std::sqrt(square) - way_[t.index];
 }
 
+// Whether a facet's normal has turned by more than 20 degrees since it was listed: facets of its sheet may
+// face it then. What has not moved has not turned.
+bool TangleWatch::has_turned(const Film& film, Triangle t) const {
+  const film::RegionPair regions = film.regions(t);
+  if (regions.front == regions.behind || !(way_[t.index] > 0)) return false;
+  const auto normal = [](const Corners& p) { return cross(p[1] - p[0], p[2] - p[0]); };
+  const Vec3 before = normal(listed_at_[t.index]);
+  const Vec3 now = normal(film.points(t));
+  const double cosine = dot(before, now);
+  return !(cosine > 0 &&
+           cosine * cosine > least_cosine * least_cosine * squared_length(before) * squared_length(now));
+}
+
 // Which facets are looked at.
 void TangleWatch::choose(const Film& film) {
   const std::span<const double> sizes = film.columns(film::ElementKind::vertex).reals(size_column);
@@ -119,7 +133,8 @@ void TangleWatch::choose(const Film& film) {
   for (std::uint32_t t = 0; t < corners_.size(); ++t) {
     const auto& [a, b, c] = corners_[t];
     const double size = sizes.empty() ? 0 : std::max({sizes[a.index], sizes[b.index], sizes[c.index]});
-    due_[t] = {!(edges_[t] > 0), !(listed_for_[t] > 0 && way_left(Triangle(t)) > listed_reach * size)};
+    due_[t] = {!(edges_[t] > 0), !(listed_for_[t] > 0 && way_left(Triangle(t)) > listed_reach * size) ||
+                                     has_turned(film, Triangle(t))};
     if (due_[t].edges) stretched_.emplace_back(t);
     if (due_[t].way) moved_.emplace_back(t);
   }
@@ -318,9 +333,9 @@ void TangleWatch::list_anew(const Film& film) {
     list(film, t);
     asked_.push_back(film::box_of(listed_at_[t.index], listed_for_[t.index]));
   }
-  cells_.make(listed_at_, listed_for_);
+  cells_.make(listed_at_, listed_for_, film.connectivity().triangle_regions);
   Triangle at;
-  cells_.for_each_near(asked_, [&](std::uint32_t i, Triangle other) {
+  cells_.for_each_near(moved_, asked_, [&](std::uint32_t i, Triangle other) {
     const Triangle t = moved_[i];
     if (other == t || (due_[other.index].way && other < t)) return;
     if (at != t) stamp_ring(film, t);

@@ -52,6 +52,7 @@ class TangleWatch {
   bool adopt(const film::Film& film);
   void spend(const film::Film& film, std::span<const double> reaches);
   double way_left(film::Triangle t) const;
+  bool has_turned(const film::Film& film, film::Triangle t) const;
   void choose(const film::Film& film);
   void look_at_all_again();
   void look_around(const film::Film& film, std::vector<Tangle>& found);
