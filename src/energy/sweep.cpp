@@ -24,8 +24,8 @@ struct Batch {
 constexpr Lane ones{1, 1, 1, 1};
 
 Batch full_batch(const SweepInput& input, std::size_t first) {
-  Batch batch{input.triangles.data() + first, input.regions.data() + first, ones, ones,
-              static_cast<std::uint32_t>(first)};
+  const film::RegionPair* const regions = input.has_regions ? input.regions.data() + first : nullptr;
+  Batch batch{input.triangles.data() + first, regions, ones, ones, static_cast<std::uint32_t>(first)};
   if (!input.tension.empty()) std::memcpy(&batch.tension, input.tension.data() + first, sizeof batch.tension);
   return batch;
 }

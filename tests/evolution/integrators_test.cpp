@@ -2,11 +2,13 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include "evolution/hyperbolic.h"
 #include "evolution/masses.h"
 #include "evolution/motion.h"
 #include "evolution/relax.h"
+#include "film/order.h"
 #include "support/shapes.h"
 #include "surgery/refine.h"
 
@@ -128,6 +130,25 @@ TEST(Integrators, ABubbleRingsAtItsFrequencies) {
     }
     EXPECT_NEAR(expected / period, 1, 0.01) << l;
   }
+}
+
+// A large film in motion, its sweeps, kicks and products shared out.
+TEST(Threads, LeaveMotionAsItIs) {
+  const auto moved = [](int threads) {
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(threads);
+    Scene scene = test::cube();
+    while (scene.film.triangle_count() < 60000) surgery::refine(scene.film);
+    film::restore_spatial_order(scene.film);
+    Motion motion(scene);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(motion.step(0.4 * motion.bound()), Ending::step_limit);
+    motion.store();
+    omp_set_num_threads(before);
+    std::vector<Vec3> result(scene.film.positions().begin(), scene.film.positions().end());
+    result.push_back({motion.energy(), motion.kinetic(), motion.bound()});
+    return result;
+  };
+  EXPECT_EQ(moved(1), moved(3));
 }
 
 // Twenty periods of the quadrupole, undamped.
