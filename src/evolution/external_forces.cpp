@@ -49,11 +49,16 @@ Vec3 ExternalForces::blow(const Vec3& at, const language::FormulaInputs& inputs,
 bool ExternalForces::evaluate(std::span<const Vec3> x, std::span<const Vec3> v,
                               std::span<const energy::VertexLine> lines, double time,
                               std::span<Vec3> accelerations) {
-  if (needs_normals_) area_vectors_ = film::area_vectors(film_, x);
+  const auto is_closed = [](const energy::VertexLine& line) {
+    return squared_length(line.area_vector) > 1e-12 * line.area * line.area;
+  };
+  // Where regions differ the sweep's vector has a meaning of its own: out of the bubble.
+  const bool all_closed =
+      std::all_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(x.size()), is_closed);
+  if (needs_normals_ && !all_closed) area_vectors_ = film::area_vectors(film_, x);
   bool finite = true;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    // Where regions differ the sweep's vector has a meaning of its own: out of the bubble.
-    const bool closed = squared_length(lines[i].area_vector) > 1e-12 * lines[i].area * lines[i].area;
+    const bool closed = is_closed(lines[i]);
     Vec3 normal;
     if (needs_normals_) {
       const Vec3 along = closed ? lines[i].area_vector : area_vectors_[i];

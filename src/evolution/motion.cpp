@@ -161,6 +161,12 @@ energy::VolumeGradient::Fields Motion::fields_at(std::size_t row, std::span<cons
 
 // After terms_.gradient at x_: outer forces, the bound, and the factors for the volume constraints.
 bool Motion::linearise() {
+  push();
+  return multiply();
+}
+
+// Masses where they are the areas, and outer forces.
+void Motion::push() {
   const std::span<const energy::VertexLine> lines = terms_.lines();
   if (scene_.mass_of_area) {
     for (std::size_t v = 0; v < masses_.size(); ++v) masses_[v] = lines[v].area;
@@ -168,6 +174,9 @@ bool Motion::linearise() {
   }
   forces_.advance(scene_.time);
   pushed_soundly_ = forces_.empty() || forces_.evaluate(x_, v_, lines, scene_.time, pushes_);
+}
+
+bool Motion::multiply() {
   work_->start(false, v_);
   terms_.work_after_sweep(*work_);
   work_->collect();
@@ -507,7 +516,9 @@ void Motion::accept(double dt, double energy) {
     scene_.body(terms_.constrained()[i]).pressure = pressures_[i];
   is_settled_ = false;
   watch_.lap(times_.other);
-  sound_ = multiplied_ ? conclude() : linearise();
+  if (!multiplied_) push();
+  watch_.lap(times_.forces);
+  sound_ = multiplied_ ? conclude() : multiply();
   watch_.lap(times_.volumes);
   times_.steps += 1;
   times_.facets += static_cast<double>(terms_.triangle_count());

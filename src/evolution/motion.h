@@ -108,6 +108,8 @@ class Motion {
   class SweepWork;
   bool linearise();
   energy::VolumeGradient::Fields fields_at(std::size_t row, std::span<const Vec3> velocities) const;
+  void push();
+  bool multiply();
   bool conclude();
   double sweep_next(bool kicks);
   bool goes_with_sweep() const;
