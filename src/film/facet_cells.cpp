@@ -8,7 +8,6 @@ namespace {
 
 constexpr double cell_of_mean = 1.5;  // the width of a cell over the mean longest side of a facet
 constexpr double widest_cone = M_PI / 4;
-constexpr double cosine_at_most = 0.7;
 constexpr double most_cells_wide = 1.2;  // from its middle, of a facet that is not kept apart from the others
 
 double longest_side(const std::array<Vec3, 3>& p) {
@@ -43,9 +42,8 @@ void FacetCells::add_to(Cone& cone, Triangle t, bool first) const {
 // Whether any normal of the one is within 45 degrees of any of the other.
 bool FacetCells::are_one_sheet(const Cone& a, const Cone& b) {
   if (a.regions.front == a.regions.behind || !(a.regions == b.regions)) return false;
-  if (!(a.cosine > cosine_at_most) || !(b.cosine > cosine_at_most)) return false;
-  const double between = std::acos(std::clamp(dot(a.axis, b.axis), -1.0, 1.0));
-  return between + std::acos(std::min(a.cosine, 1.0)) + std::acos(std::min(b.cosine, 1.0)) < widest_cone;
+  const double between = widest_cone - a.angle - b.angle;
+  return between > 0 && angle_of(dot(a.axis, b.axis)) < between;
 }
 
 void FacetCells::make(std::span<const std::array<Vec3, 3>> facets, std::span<const double> widths,
@@ -99,6 +97,7 @@ void FacetCells::make(std::span<const std::array<Vec3, 3>> facets, std::span<con
     for (std::uint32_t n = first_[b]; n < first_[b + 1]; ++n) add_to(cone, entries_[n].facet, n == first_[b]);
     cone.axis = unit(cone.axis);
     for (std::uint32_t n = first_[b]; n < first_[b + 1]; ++n) widen(cone, entries_[n].facet);
+    cone.angle = angle_of(cone.cosine);
   }
 }
 

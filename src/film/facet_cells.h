@@ -45,6 +45,7 @@ class FacetCells {
       for (std::size_t n = begin; n < end; ++n) add_to(cone, facets[asked_[n].row], n == begin);
       cone.axis = unit(cone.axis);
       for (std::size_t n = begin; n < end; ++n) widen(cone, facets[asked_[n].row]);
+      cone.angle = angle_of(cone.cosine);
       gather(around, cone);
       for (std::size_t n = begin; n < end; ++n) {
         const std::size_t count = pick(rounded_outward(boxes[asked_[n].row]));
@@ -80,11 +81,13 @@ class FacetCells {
     RegionPair regions;  // alike where they are of more than one, or of none
     Vec3 axis;
     double cosine = 1;  // of the angle to the farthest from it
+    double angle = 0;   // that, when all are known
   };
   void add_to(Cone& cone, Triangle t, bool first) const;
   void widen(Cone& cone, Triangle t) const {
     cone.cosine = std::min(cone.cosine, dot(cone.axis, normals_[t.index]));
   }
+  static double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
   static bool are_one_sheet(const Cone& a, const Cone& b);
   void sort_by_tower(std::span<const Box> boxes);
   bool is_one_tower(std::size_t a, std::size_t b) const {
