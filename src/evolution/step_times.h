@@ -7,10 +7,11 @@ namespace lamella::evolution {
 
 // Seconds of wall time, summed over steps.
 struct StepTimes {
-  double forces = 0;   // energy, gradients, outer forces, implicit systems
+  double forces =
+      0;  // energy, gradients and what goes along with their sweep, outer forces, implicit systems
   double volumes = 0;  // volume constraints: their systems, corrections, looks at volumes
   double surgery = 0;  // the mesh kept fit, topology
-  double other = 0;    // kicks, moves, bookkeeping
+  double other = 0;    // kicks and moves by themselves, bookkeeping
   long steps = 0;      // parts counted
   double facets = 0;   // summed over the steps
 
