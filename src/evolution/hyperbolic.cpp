@@ -257,9 +257,15 @@ Walk::Look Walk::look(bool sound, bool mend) {
       events.clear();
     }
     if (on_events_ && !events.empty()) {
+      const std::uint64_t connectivity = scene_.film.connectivity_revision();
+      const std::uint64_t positions = scene_.film.position_revision();
       on_events_(scene_, events);
-      topology_.forget_way();
-      sound = sound && topology_.tangles(scene_.film).empty();
+      // Who hears of events may change the film, and seldom does.
+      if (connectivity != scene_.film.connectivity_revision() ||
+          positions != scene_.film.position_revision()) {
+        topology_.forget_way();
+        sound = sound && topology_.tangles(scene_.film).empty();
+      }
     }
     renew_motion();
     scene_.mesh_fitness = motion_->fitness();
