@@ -21,8 +21,7 @@ using scene::Scene;
 namespace {
 
 // In units of the mesh's size.
-constexpr double look_after = 0.1;        // the way of a vertex from look to look
-constexpr double look_after_near = 0.05;  // where sheets are near one another
+constexpr double look_after = 0.05;  // the way of a vertex from look to look
 constexpr double look_after_tight = 0.01;
 constexpr double mend_after = 0.2;  // and until what can wait is mended
 constexpr double look_at_end = 1e-3;
@@ -231,10 +230,7 @@ bool TopologyKeeper::is_due(std::span<const Vec3> positions, double largest_move
   const double meantime = unseen_way_ > 0 ? unseen_way_ + largest_move : 0;
   unseen_way_ += largest_move;
   if (!at_end && unseen_way_ < way_left_) return false;
-  const double part = at_end               ? look_at_end
-                      : tight_             ? look_after_tight
-                      : proximity_.empty() ? look_after
-                                           : look_after_near;
+  const double part = at_end ? look_at_end : tight_ ? look_after_tight : look_after;
   double farthest = 0;  // in sizes
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const double way = length(positions[v] - seen_[v]);
