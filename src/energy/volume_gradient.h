@@ -255,6 +255,10 @@ template <class Function>
 void VolumeGradient::add_rows(std::size_t begin, std::size_t end, std::span<const double> weights,
                               const Function& fields, RunSums& sums) const {
   const auto inner = [&](std::size_t first, std::size_t last, std::uint32_t pair) {
+    if (pair == none) {  // as everywhere in a scene without volumes, which has no area vectors either
+      for (std::size_t v = first; v < last; ++v) sums.largest = std::max(sums.largest, fields(v).number);
+      return;
+    }
     Lane square{};
     Lane along_a{};
     Lane along_b{};
@@ -266,7 +270,7 @@ void VolumeGradient::add_rows(std::size_t begin, std::size_t end, std::span<cons
       along_a += vector * a;
       along_b += vector * b;
     }
-    if (pair != none) sums.runs.push_back({pair, sum_of_3(square), sum_of_3(along_a), sum_of_3(along_b)});
+    sums.runs.push_back({pair, sum_of_3(square), sum_of_3(along_a), sum_of_3(along_b)});
   };
   for_each_run(begin, end, inner, [&](std::size_t v, const BorderVertex&) {
     sums.largest = std::max(sums.largest, fields(v).number);
