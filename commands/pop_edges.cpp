@@ -9,11 +9,7 @@ namespace {
 void run(Session& session) {
   check_film(session, "to pop");
   scene::Scene& scene = session.scene();
-  std::vector<film::Edge> edges;
-  for (std::uint32_t e = 0; e < scene.film.edge_rows(); ++e) {
-    if (scene.film.valence(film::Edge(e)) > 3) edges.emplace_back(e);
-  }
-  const surgery::PopReport report = surgery::pop_edges(scene, edges);
+  const surgery::PopReport report = surgery::pop_edges(scene, surgery::crowded_edges(scene.film));
   finish_topology(session, report.events);
   session.counter("vertex_pop_count") = static_cast<double>(report.vertices);
   session.counter("edge_pop_count") = static_cast<double>(report.edges);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <memory>
 
-#include "energy/measure.h"
 #include "evolution/motion.h"
 #include "evolution/retreat.h"
+#include "evolution/targets_on_the_way.h"
 #include "evolution/upkeep.h"
 #include "solve/reach_volumes.h"
 
@@ -34,22 +34,11 @@ constexpr double implicit_reach = 10;  // an implicit step over an explicit one,
 constexpr double lost = 1e-3;
 constexpr double forgetting = 0.9;  // of the best, where the mesh does not get as fit as it was
 
-// Told by a plain sum, as nearly every motion starts so: factors for the volumes cost more than many steps.
-bool is_at_targets(const scene::Scene& scene) {
-  const energy::Measures now = energy::measure(scene);
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const scene::Body& body = scene.bodies[b];
-    if (!body.fixed_volume()) continue;
-    const double target = *body.target_volume;
-    if (!(std::abs(now.volumes[b + 1] - target) < at_target * std::abs(target))) return false;
-  }
-  return true;
-}
-
 // A target that was set at once, or a datafile whose bodies do not have their volumes yet, is met by moving
 // the film there at rest: through velocities it would be a blow.
 Ending start_at_targets(scene::Scene& scene) {
-  if (!scene.keep_volumes || !scene.has_fixed_volume() || is_at_targets(scene)) return Ending::converged;
+  // Told by a plain sum, as nearly every motion starts so: factors for the volumes cost more than many steps.
+  if (!scene.keep_volumes || missing_volume(scene) < at_target) return Ending::converged;
   solve::Problem problem(scene);
   problem.hold_parameters();
   bool ok = false;

@@ -290,11 +290,15 @@ void Motion::stiffen() {
   }
 }
 
+bool Motion::is_loose() const {
+  return std::none_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; });
+}
+
 // Pressures push a film around without moving it as a whole; where sets are held that do not answer, what is
 // missing is given to all alike, which changes no volume. A film that something holds keeps no momentum.
 void Motion::give_back_momentum(double dt) {
   if (!holds() || !terms_.constraints().empty()) return;
-  if (std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; })) return;
+  if (!is_loose()) return;
   const Balance now = evolution::balance(x_, next_v_, masses_);
   Balance missing;
   missing.mass = now.mass;
@@ -317,8 +321,8 @@ void Motion::shed_excess(double dt) {
   const Balance now = evolution::balance(x_, next_v_, masses_);
   const double excess = now.kinetic - kicked_.kinetic;
   if (excess <= 0) return;
-  const bool stays = std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; });
-  const RigidVelocity whole = stays ? RigidVelocity{} : rigid_velocity(now, x_, masses_, kept_by(scene_));
+  const RigidVelocity whole =
+      is_loose() ? rigid_velocity(now, x_, masses_, kept_by(scene_)) : RigidVelocity{};
   double inner = 0;
   for (std::size_t v = 0; v < x_.size(); ++v)
     inner += 0.5 * masses_[v] * squared_length(next_v_[v] - whole.at(x_[v]));

@@ -147,6 +147,8 @@ class Motion {
   bool holds() const { return !held_.empty() && !is_implicit(method_); }
   void drift(double dt);
   void stiffen();
+  // Whether all vertices move.
+  bool is_loose() const;
   void give_back_momentum(double dt);
   void shed_excess(double dt);
   bool second_kick(double dt);

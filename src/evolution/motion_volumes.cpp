@@ -74,8 +74,7 @@ double Motion::volume_error() {
 Motion::Vectors Motion::velocities_when_settled() {
   const Vectors& places = settled();
   Vectors result = v_;
-  if (&places == &x_ || std::any_of(weights_.begin(), weights_.end(), [](double w) { return w == 0; }))
-    return result;
+  if (&places == &x_ || !is_loose()) return result;
   const Balance before = evolution::balance(x_, v_, masses_);
   Balance missing;
   missing.mass = before.mass;

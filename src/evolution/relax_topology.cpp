@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "energy/measure.h"
 #include "energy/mesh_quality.h"
+#include "evolution/targets_on_the_way.h"
 #include "film/box_tree.h"
 #include "scene/constraint_sets.h"
 #include "surgery/pop.h"
 #include "surgery/regions.h"
+#include "surgery/sizing.h"
 
 namespace lamella::evolution {
 
@@ -33,7 +34,7 @@ double diameter(const film::Film& film) {
   return length(box.high - box.low);
 }
 
-// Motion that leaves no trace in a scene but its film.
+// A spell of motion, from rest to rest, for which a scene's own time does not pass.
 class MotionAside {
  public:
   explicit MotionAside(Scene& scene)
@@ -54,26 +55,38 @@ class MotionAside {
   double damping_;
 };
 
+// What motion leaves in a scene beside a film. Between spells it stays, so that the mesh keeps to its sizes.
+class TracesOfMotion {
+ public:
+  explicit TracesOfMotion(Scene& scene)
+      : scene_(scene),
+        fitness_(scene.mesh_fitness),
+        unkept_(scene.steps_unkept),
+        had_sizes_(surgery::has_sizes(scene.film)) {}
+  void wipe() {
+    scene_.mesh_fitness = fitness_;
+    scene_.steps_unkept = unkept_;
+    film::Columns& vertices = scene_.film.columns(film::ElementKind::vertex);
+    if (!had_sizes_) vertices.remove(surgery::size_column);
+    vertices.remove("swept_place");
+    for (const char* name : {"volume_defect", "swept_mark"}) scene_.body_columns.remove(name);
+  }
+
+ private:
+  Scene& scene_;
+  double fitness_;
+  double unkept_;
+  bool had_sizes_;
+};
+
 // Whether it may be the mesh alone that a film collapses by, in the first place.
 bool is_rough(const Scene& scene) {
-  double missing = 0;
-  if (scene.has_fixed_volume()) {
-    const energy::Measures measures = energy::measure(scene);
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      if (!scene.bodies[i].fixed_volume()) continue;
-      missing = std::max(missing, std::abs(measures.volumes[i + 1] / *scene.bodies[i].target_volume - 1));
-    }
-  }
-  return missing > far_from_targets || energy::smallest_angle(scene.film) < rough_angle;
+  return missing_volume(scene) > far_from_targets || energy::smallest_angle(scene.film) < rough_angle;
 }
 
 // Returns whether anything was popped.
 bool pop_all(Scene& scene, const OnEvents& on_events) {
-  std::vector<film::Edge> edges;
-  for (std::uint32_t e = 0; e < scene.film.edge_rows(); ++e) {
-    if (scene.film.valence(film::Edge(e)) > 3) edges.emplace_back(e);
-  }
-  surgery::PopReport report = surgery::pop_edges(scene, edges);
+  surgery::PopReport report = surgery::pop_edges(scene, surgery::crowded_edges(scene.film));
   const surgery::PopReport points = surgery::pop_vertices(scene, surgery::illegal_vertices(scene));
   report.events.insert(report.events.end(), points.events.begin(), points.events.end());
   if (report.edges + report.vertices + points.edges + points.vertices == 0) return false;
@@ -120,6 +133,8 @@ RelaxReport relax_with_topology(Scene& scene, const RelaxOptions& options, scene
   RelaxReport report;
   RelaxOptions wanted = options;
   wanted.new_meshes = options.new_meshes && is_rough(scene);
+  TracesOfMotion traces(scene);
+  bool has_moved = false;
   int idle = 0;
   for (int round = 0; round < most_rounds && !scene.empty(); ++round) {
     const Scene before = scene;
@@ -134,6 +149,7 @@ RelaxReport relax_with_topology(Scene& scene, const RelaxOptions& options, scene
     if (pop_all(scene, on_events)) continue;
     // At a saddle nothing would move.
     if (report.saddles_left > 0) go_past_saddle(scene, wanted, monitor);
+    has_moved = true;
     bool changed = false;
     const Ending ending = creep(scene, monitor, on_events, changed);
     if (ending == Ending::stopped) {
@@ -143,6 +159,7 @@ RelaxReport relax_with_topology(Scene& scene, const RelaxOptions& options, scene
     idle = changed ? 0 : idle + 1;
     if (idle == most_idle_rounds) break;
   }
+  if (has_moved) traces.wipe();
   return report;
 }
 

@@ -1,8 +1,10 @@
 #include "evolution/targets_on_the_way.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "energy/film_energy.h"
+#include "energy/measure.h"
 
 namespace lamella::evolution {
 
@@ -12,6 +14,19 @@ namespace {
 constexpr double longest_stride = 2;
 
 }  // namespace
+
+double missing_volume(const scene::Scene& scene) {
+  if (!scene.has_fixed_volume()) return 0;
+  const energy::Measures now = energy::measure(scene);
+  double worst = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (!scene.bodies[b].fixed_volume()) continue;
+    const double target = *scene.bodies[b].target_volume;
+    const double part = std::abs(now.volumes[b + 1] - target) / std::abs(target);
+    worst = std::isfinite(part) ? std::max(worst, part) : HUGE_VAL;
+  }
+  return worst;
+}
 
 TargetsOnTheWay::TargetsOnTheWay(scene::Scene& scene) : scene_(scene) {
   for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) {

@@ -1,4 +1,4 @@
-// Volumes that are far from their targets are brought there by strides.
+// How far volumes are from their targets; those that are far are brought there by strides.
 #pragma once
 
 #include <vector>
@@ -6,6 +6,10 @@
 #include "scene/scene.h"
 
 namespace lamella::evolution {
+
+// The largest part of a target volume that the film lacks, or has too much; infinite where a volume is no
+// number.
+double missing_volume(const scene::Scene& scene);
 
 // While it lives the bodies of a scene may have other targets than those wanted: `stride` sets them a part of
 // the way from the present volumes, in proportion. Afterwards the bodies have the targets wanted.

@@ -26,14 +26,15 @@ bool is_illegal(const Scene& scene, Vertex v) {
   return !link.nodes.empty() && kind_of(link) == LinkKind::illegal;
 }
 
-long crowded_edges(const Film& film) {
-  long count = 0;
-  for (std::uint32_t e = 0; e < film.edge_rows(); ++e)
-    count += film.alive(Edge(e)) && film.valence(Edge(e)) > 3 ? 1 : 0;
-  return count;
-}
-
 }  // namespace
+
+std::vector<Edge> crowded_edges(const Film& film) {
+  std::vector<Edge> edges;
+  for (std::uint32_t e = 0; e < film.edge_rows(); ++e) {
+    if (film.alive(Edge(e)) && film.valence(Edge(e)) > 3) edges.emplace_back(e);
+  }
+  return edges;
+}
 
 double size_at(const Film& film, Vertex v) {
   double sum = 0;
@@ -56,7 +57,7 @@ std::vector<Vertex> illegal_vertices(const Scene& scene) {
 PopReport pop_vertices(Scene& scene, std::span<const Vertex> vertices, double gain) {
   PopReport report;
   Film& film = scene.film;
-  const long crowded = crowded_edges(film);
+  const auto crowded = static_cast<long>(crowded_edges(film).size());
   std::deque<Vertex> waiting(vertices.begin(), vertices.end());
   std::size_t commits_left = commits_per_start * (waiting.size() + film.vertex_count() / 16 + 4);
   while (!waiting.empty() && commits_left > 0) {
@@ -73,7 +74,7 @@ PopReport pop_vertices(Scene& scene, std::span<const Vertex> vertices, double ga
       film.for_each_end(made, [&](EdgeEnd end) { waiting.push_back(film.head(end.outward())); });
     }
   }
-  report.edges = std::max(0L, crowded - crowded_edges(film));
+  report.edges = std::max(0L, crowded - static_cast<long>(crowded_edges(film).size()));
   return report;
 }
 

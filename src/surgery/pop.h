@@ -15,6 +15,9 @@ double size_at(const film::Film& film, film::Vertex v);
 // Vertices that nothing holds and whose link is no disc, rim, triple or tetrahedral point.
 std::vector<film::Vertex> illegal_vertices(const scene::Scene& scene);
 
+// Edges of more than three films.
+std::vector<film::Edge> crowded_edges(const film::Film& film);
+
 struct PopReport {
   long edges = 0;     // with more than three films before, and no more
   long vertices = 0;  // resolved

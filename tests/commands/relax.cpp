@@ -284,6 +284,14 @@ TEST(RelaxTopology, PinchesWhereNoFilmReachesAcross) {
   EXPECT_EQ(trial.number("stable"), 1);
   EXPECT_NEAR(trial.number("total_area"), M_PI / 2, 5e-3);
   EXPECT_LT(trial.number("total_area"), M_PI / 2);  // inscribed
+  // Nothing is left of the motion on the way.
+  const Folder folder;
+  trial.out("save \"" + folder / "after.fe" + "\"");
+  const std::string file = file_content(folder / "after.fe");
+  for (const char* trace :
+       {"velocity", "mass", "mesh_size", "mesh_fitness", "steps_unkept", "swept", "defect"})
+    EXPECT_FALSE(contains(file, trace)) << trace;
+  EXPECT_EQ(trial.number("total_time"), 0);
 }
 
 TEST(RelaxTopology, LeavesWhatNoSoapFilmKeeps) {

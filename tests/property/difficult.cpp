@@ -212,6 +212,9 @@ TEST(Difficult, RelaxTopologyGoesOn) {
       column.number("body[1].volume + body[2].volume") / column.number("body[1].target + body[2].target"), 1,
       1e-11);
   EXPECT_LT(column.number("total_energy"), 42.5);
+  column.out("save \"" + folder / "after.fe" + "\"");
+  for (const char* trace : {"swept", "defect"})
+    EXPECT_FALSE(contains(file_content(folder / "after.fe"), trace)) << trace;
   Trial four(("difficult/four_films.fe"));
   four.out("refine; relax topology; check");
   EXPECT_EQ(four.number("stable"), 1);
