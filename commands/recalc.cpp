@@ -1,4 +1,4 @@
-#include "session/follow_constraints.h"
+#include "session/follow_formulas.h"
 #include "session/session.h"
 
 namespace lamella::session::commands {
@@ -7,16 +7,16 @@ namespace {
 
 // Values are computed when they are asked for; places are not.
 void run(Session& session) {
-  follow_constraints(session.scene());
+  follow_formulas(session.scene());
 }
 
 }  // namespace
 
-extern const Command recalc_command =
-    make_command({.name = "recalc",
-                  .aliases = {"showq", "close_show", "free_discards", "whereami", "dump_memlist"},
-                  .summary = "put vertices onto their constraints; values are always up to date",
-                  .group = CommandGroup::session},
-                 run);
+extern const Command recalc_command = make_command(
+    {.name = "recalc",
+     .aliases = {"showq", "close_show", "free_discards", "whereami", "dump_memlist"},
+     .summary = "put vertices onto their constraints and renew periods; values are always up to date",
+     .group = CommandGroup::session},
+    run);
 
 }  // namespace lamella::session::commands

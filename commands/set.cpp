@@ -1,5 +1,5 @@
 #include "datafile/attributes.h"
-#include "session/follow_constraints.h"
+#include "session/follow_formulas.h"
 #include "session/session.h"
 
 namespace lamella::session::commands {

@@ -8,6 +8,7 @@
 
 #include "datafile/phases.h"
 #include "datafile/top_values.h"
+#include "scene/periods.h"
 #include "text/suggest.h"
 
 namespace lamella::datafile {
@@ -89,19 +90,27 @@ void read_way_of_moving(Reading& reading, const Token& word) {
       word.place, fmt::format("\"{}\" is not supported: g will move without it", text::lower(word.text)));
 }
 
+// Kept as formulas where they name variables.
 void read_periods(Reading& reading, const Token& word) {
-  std::array<film::Vec3, 3> periods{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const int dimension = reading.scene.strings.dimension;
-  for (int i = 0; i < dimension; ++i) {
-    film::Vec3& period = periods[static_cast<std::size_t>(i)];
-    for (int axis = 0; axis < dimension; ++axis)
-      period[axis] =
-          top_value(reading, fmt::format("\"{}\" needs as many vectors as space has dimensions", word.text));
+  std::vector<language::Formula>& formulas = reading.scene.periods;
+  formulas.clear();
+  for (int i = 0; i < dimension * dimension; ++i)
+    formulas.push_back(top_value_of_variables(
+        reading, fmt::format("\"{}\" needs as many vectors as space has dimensions", word.text)));
+  try {
+    reading.periods = scene::present_periods(reading.scene);
+  } catch (const text::Error& error) {
+    throw error.placed_at(word.place);
   }
-  const double cell = std::abs(dot(periods[0], cross(periods[1], periods[2])));
-  if (!(cell > 1e-12 * length(periods[0]) * length(periods[1]) * length(periods[2])))
-    throw text::Error(word.place, "the periods lie in a plane", "three independent vectors are needed");
-  reading.periods = periods;
+  const bool varies = std::any_of(formulas.begin(), formulas.end(), [](const language::Formula& formula) {
+    return formula.depends_on_variables();
+  });
+  if (!varies) formulas.clear();
+  for (const scene::FreeParameter& parameter : reading.scene.parameters) {
+    if (!parameter.fixed && scene::periods_read(reading.scene, parameter.variable))
+      reading.refuse(word.place, word.text, "periods of optimizing parameters");
+  }
 }
 
 // Ways of measuring that differ only where edges are curved, which they never are here.

@@ -4,6 +4,7 @@
 
 #include "datafile/top_section.h"
 #include "language/expression_parser.h"
+#include "language/formula_scope.h"
 
 namespace lamella::datafile {
 
@@ -46,6 +47,13 @@ double top_value(Reading& reading, const std::string& missing) {
   const language::Value value = value_of_expression(reading, language::ExpressionStyle::values);
   if (const double* const number = std::get_if<double>(&value)) return *number;
   throw text::Error(place, missing);
+}
+
+language::Formula top_value_of_variables(Reading& reading, const std::string& missing) {
+  const text::Place here = reading.tokens.peek().place;
+  if (!top_value_follows(reading)) throw text::Error(here, missing);
+  return language::parse_formula(reading.tokens, language::FormulaKind::variables, reading.scene.variables,
+                                 {}, language::ExpressionStyle::values);
 }
 
 language::Value top_formula(Reading& reading) {

@@ -30,23 +30,9 @@ bool is_filled(const scene::Scene& scene) {
   });
 }
 
-void write_periods(std::string& out, const scene::Scene& scene) {
-  if (!scene.film.periodic()) return;
-  out += !scene.strings.on && is_filled(scene) ? "torus_filled\nperiods\n" : "torus\nperiods\n";
-  const bool plane = scene.strings.on && scene.strings.dimension == 2;
-  for (const film::Vec3& p : std::span(scene.film.lattice()->periods()).first(plane ? 2 : 3)) {
-    if (plane) {
-      put(out, "{} {}\n", p.x, p.y);
-    } else {
-      put(out, "{} {} {}\n", p.x, p.y, p.z);
-    }
-  }
-}
-
 void write_settings(std::string& out, const scene::Scene& scene) {
   const scene::Scene blank;
   if (scene.strings.on) put(out, "string\nspace_dimension {}\n", scene.strings.dimension);
-  write_periods(out, scene);
   if (scene.gravity.constant != blank.gravity.constant)
     put(out, "gravity_constant {}\n", scene.gravity.constant);
   if (scene.scale.value != blank.scale.value || scene.scale.fixed) {
@@ -83,6 +69,32 @@ void write_parameters(std::string& out, const scene::Scene& scene) {
       put(out, "parameter {} = {}\n", scene.variables.name(id), value);
     }
   });
+}
+
+// Values stand one after the other on a line: what has spaces in it needs brackets to be one.
+std::string bracketed(const std::string& formula) {
+  int open = 0;
+  for (const char c : formula) {
+    open += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == ' ' && open == 0) return "(" + formula + ")";
+  }
+  return formula;
+}
+
+// After the parameters, which they may name.
+void write_periods(std::string& out, const scene::Scene& scene) {
+  if (!scene.film.periodic()) return;
+  out += !scene.strings.on && is_filled(scene) ? "torus_filled\nperiods\n" : "torus\nperiods\n";
+  const std::size_t dimension = scene.strings.on && scene.strings.dimension == 2 ? 2 : 3;
+  for (std::size_t row = 0; row < dimension; ++row) {
+    const film::Vec3& p = scene.film.lattice()->periods()[row];
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      out += axis == 0 ? "" : " ";
+      out += scene.periods.empty() ? fmt::format("{}", p[static_cast<int>(axis)])
+                                   : bracketed(scene.periods[row * dimension + axis].text());
+    }
+    out += '\n';
+  }
 }
 
 void write_declaration(std::string& out, ElementKind kind, const film::Column& column) {
@@ -133,6 +145,7 @@ std::string write_scene(const scene::Scene& scene) {
   if (needs_own_numbers(scene)) out += "keep_originals\n";
   write_settings(out, scene);
   write_parameters(out, scene);
+  write_periods(out, scene);
   write_forces(out, scene.forces);
   write_declarations(out, scene);
   write_constraints(out, scene);

@@ -62,6 +62,7 @@ void for_each_formula(const scene::Scene& scene, Function&& function) {
     vector(scene.forces.air->fan);
     vector(scene.forces.air->jet);
   }
+  for (const Formula& formula : scene.periods) function(formula);
   for (const scene::Quantity& quantity : scene.quantities) {
     for (const scene::MethodInstance& instance : quantity.methods) {
       function(instance.scalar);

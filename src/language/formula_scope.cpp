@@ -78,6 +78,11 @@ FormulaScope::FormulaScope(FormulaKind kind, const Variables& variables,
                            const std::vector<std::string>& attributes)
     : variables_(variables) {
   // The order of the slots is what Formula expects.
+  if (kind == FormulaKind::variables) {
+    for (int slot = 0; slot < 4; ++slot) locals().declare("");
+    locals().declare(variables.find_id("g") ? "" : "g");
+    return;
+  }
   const bool space = kind != FormulaKind::parameter;
   for (const char* name : space ? std::array{"x", "y", "z"} : std::array{"p1", "p2", "p3"})
     locals().declare(name);
@@ -100,10 +105,10 @@ void FormulaScope::collect_names(std::vector<std::string>& into) const {
 }
 
 Formula parse_formula(TokenStream& tokens, FormulaKind kind, const Variables& variables,
-                      const std::vector<std::string>& attributes) {
+                      const std::vector<std::string>& attributes, ExpressionStyle style) {
   FormulaScope scope(kind, variables, attributes);
   Transcript transcript(tokens);
-  ExpressionParser parser(transcript, scope, ExpressionStyle::formula);
+  ExpressionParser parser(transcript, scope, style);
   std::shared_ptr<const Expression> expression = parser.expression();
   return Formula(std::move(expression), transcript.text(), attributes);
 }

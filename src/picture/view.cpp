@@ -62,6 +62,11 @@ double clearness(const film::Film& film, const Vec3& from) {
 }  // namespace
 
 View view_of(const scene::Scene& scene) {
+  View view;
+  if (scene.strings.on && scene.strings.dimension == 2) {
+    view.field_of_view = 0;
+    return view;
+  }
   // Earlier ones are preferred unless a later one is clearly better.
   constexpr double azimuths_elevations[][2] = {{26, 22}, {62, 24}, {-62, 26}, {22, 34}, {14, 28}};
   constexpr double clearly = 0.045;
@@ -74,7 +79,6 @@ View view_of(const scene::Scene& scene) {
     best = from;
     best_clearness = clear;
   }
-  View view;
   view.rotation = looking_from(best);
   return view;
 }

@@ -39,7 +39,7 @@ struct View {
 };
 
 // From slightly above and somewhat to the right of the -y axis; turned further where most of the film would
-// be seen edge on.
+// be seen edge on. A film in the plane is seen from above, x to the right and y up.
 View view_of(const scene::Scene& scene);
 
 }  // namespace lamella::picture

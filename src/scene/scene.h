@@ -80,6 +80,8 @@ struct Scene {
   std::vector<Quantity> quantities;
   std::vector<FreeParameter> parameters;
   StringModel strings;
+  // Of the periods of a periodic film, row by row, if any of them names a variable (scene/periods.h).
+  std::vector<language::Formula> periods;
   double gap_constant = 1;              // of the gap energy at convex constraints
   int edge_integral_order = 3;          // polynomials up to this degree are integrated exactly along edges
   double constraint_tolerance = 1e-12;  // values of level sets that files and splits may leave

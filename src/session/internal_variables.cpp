@@ -169,6 +169,7 @@ const InternalVariable table[] = {
     {"pop_count", "resolved by pop last", counter<"pop_count">, nullptr},
     {"pop_edge_to_tri_count", "edges made facets last", counter<"pop_edge_to_tri_count">, nullptr},
     {"pop_tri_to_edge_count", "facets made edges last", counter<"pop_tri_to_edge_count">, nullptr},
+    {"t1_edgeswap_count", "strings turned by the last t1_edgeswap", counter<"t1_edgeswap_count">, nullptr},
     {"burst_count", "films or bodies that burst last", counter<"burst_count">, nullptr},
     {"facet_dissolve_count", "facets dissolved last", counter<"facet_dissolve_count">, nullptr},
     {"body_dissolve_count", "bodies dissolved last", counter<"body_dissolve_count">, nullptr},

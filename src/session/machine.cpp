@@ -7,7 +7,7 @@
 
 #include "language/letters.h"
 #include "session/argument_parser.h"
-#include "session/follow_constraints.h"
+#include "session/follow_formulas.h"
 #include "session/internal_variables.h"
 #include "session/interrupt.h"
 #include "session/parameter_parts.h"
@@ -94,7 +94,7 @@ void Machine::assign(language::VariableId id, Value value) {
   const language::Variable* const known = scene.variables.get(id);
   const bool moves = known != nullptr && known->parameter && known->value != value;
   scene.variables.set(id, std::move(value));
-  if (moves && is_on(session_, *find_switch("autorecalc"))) follow_constraints(scene);
+  if (moves && is_on(session_, *find_switch("autorecalc"))) follow_formulas(scene);
 }
 
 void Machine::make_permanent(language::VariableId id) {

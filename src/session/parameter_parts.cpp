@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/periods.h"
 #include "text/error.h"
 #include "text/suggest.h"
 
@@ -16,6 +17,13 @@ namespace {
 constexpr std::uint32_t first_row = 900000;  // above all internal variables, below the parts of quantities
 constexpr std::uint32_t last_row = 1000000;
 constexpr std::array<std::string_view, 5> parts = {"fixed", "pdelta", "pscale", "p_force", "p_velocity"};
+
+void refuse_in_periods(const scene::Scene& scene, language::VariableId variable) {
+  if (!scene::periods_read(scene, variable)) return;
+  const std::string& name = scene.variables.name(variable);
+  throw text::Error(fmt::format("\"{}\" cannot be optimized: periods name it", name),
+                    fmt::format("the film follows when it is set: {} := 1.1", name));
+}
 
 template <class Scene>
 auto& parameter_of(Scene& scene, language::InternalId id) {
@@ -69,6 +77,7 @@ void set_parameter_part(scene::Scene& scene, language::InternalId id, const lang
     throw text::Error(fmt::format("{} follows from the film and cannot be set", name));
   if (number == nullptr || !std::isfinite(*number)) throw text::Error(name + " must be a finite number");
   if (part == "fixed") {
+    if (*number == 0) refuse_in_periods(scene, parameter.variable);
     parameter.fixed = *number != 0;
     return;
   }
@@ -82,6 +91,7 @@ std::optional<bool> fix_parameter(scene::Scene& scene, std::string_view name, bo
   const language::VariableId id = *scene.variables.find_id(name);
   const auto parameter = std::find_if(scene.parameters.begin(), scene.parameters.end(),
                                       [&](const scene::FreeParameter& p) { return p.variable == id; });
+  if (!fixed) refuse_in_periods(scene, id);
   if (parameter != scene.parameters.end()) return std::exchange(parameter->fixed, fixed) != fixed;
   if (!variable->parameter) return std::nullopt;
   if (fixed) return false;

@@ -27,7 +27,6 @@ constexpr std::string_view orders = "rows are put in order without being told";
 
 constexpr Refused table[] = {
     {"pop_quad_to_quad", pops},
-    {"t1_edgeswap", pops},
     {"vertex_merge", merges},
     {"edge_merge", merges},
     {"facet_merge", merges},

@@ -1,17 +1,15 @@
 #include "surgery/pop_strings.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <map>
+#include <array>
 
 #include "surgery/contract.h"
+#include "surgery/string_cells.h"
 
 namespace lamella::surgery {
 
-using film::Column;
 using film::Edge;
 using film::EdgeEnd;
-using film::ElementKind;
 using film::Film;
 using film::Vec3;
 using film::Vertex;
@@ -50,23 +48,8 @@ Pair hardest_pull(const Film& film, const std::vector<EdgeEnd>& ends) {
   return best;
 }
 
-// By how many times more a cell arrives at the vertex along the ends than it leaves.
-std::map<int, int> arrivals(const Film& film, const Pair& pair) {
-  std::map<int, int> net;
-  const Column* const cells = film.columns(ElementKind::edge).find(scene::cells_column);
-  for (const EdgeEnd end : {pair.first, pair.second}) {
-    for (int k = 0; cells != nullptr && k < cells->width; ++k) {
-      const int cell = static_cast<int>(cells->value(end.edge().index, k));
-      if (cell == 0) continue;
-      const bool leaves = (cell > 0) != end.outward().reversed();
-      net[std::abs(cell)] += leaves ? -1 : 1;
-    }
-  }
-  return net;
-}
-
 void draw_off(Film& film, Vertex v, const Pair& pair) {
-  const std::map<int, int> net = arrivals(film, pair);
+  const std::map<int, int> arrived = arrivals(film, std::array{pair.first, pair.second});
   const double reach = part_of_string * std::min(length(film.vector(pair.first.edge())),
                                                  length(film.vector(pair.second.edge())));
   const Vec3 step = reach * unit(pair.pull);
@@ -80,14 +63,7 @@ void draw_off(Film& film, Vertex v, const Pair& pair) {
   const Edge joint = film.add_edge(v, made);
   film.inherit(joint, pair.first.edge());
   film.aim(film::SignedEdge(joint, false), step);
-  Column* const cells = film.columns(ElementKind::edge).edit(scene::cells_column);
-  int slot = 0;
-  for (int k = 0; cells != nullptr && k < cells->width; ++k) cells->set(joint.index, k, 0);
-  for (const auto& [cell, excess] : net) {
-    // What arrived at the new vertex goes on to the old one, against the joint.
-    if (excess != 0 && cells != nullptr && slot < cells->width)
-      cells->set(joint.index, slot++, excess > 0 ? -cell : cell);
-  }
+  pass_on(film, EdgeEnd(joint, 1), arrived);
 }
 
 }  // namespace

@@ -44,6 +44,15 @@ TEST(View, RotationsCombine) {
   expect_near(turned[2], {0, 1, 0});
 }
 
+TEST(View, AFilmInThePlaneIsSeenFromAbove) {
+  scene::Scene scene;
+  scene.strings.on = true;
+  scene.strings.dimension = 2;
+  const View view = view_of(scene);
+  EXPECT_EQ(view.rotation, Rotation{});
+  EXPECT_EQ(view.field_of_view, 0);
+}
+
 // The angle between the line of sight and a plane film, whatever its direction, is no glancing one.
 TEST(View, NoFlatFilmIsSeenEdgeOn) {
   for (const Vec3 normal :

@@ -33,9 +33,10 @@ TEST(EvolverWords, QuietIsQuiet) {
 // A procedure may speak of what is not supported; who runs it is told where that stands.
 TEST(EvolverWords, RefusedCommandsWaitForTheirTurn) {
   Trial trial("cube.fe");
-  trial.out("popper := { r; t1_edgeswap edge[3] where (valence == 3); print 5 }; other := { detorus; O }");
+  trial.out(
+      "popper := { r; pop_quad_to_quad edge[3] where (valence == 3); print 5 }; other := { detorus; O }");
   const std::string message = trial.failure("popper");
-  EXPECT_TRUE(contains(message, "test:1:16: error: t1_edgeswap is not supported: pop_tri_to_edge"))
+  EXPECT_TRUE(contains(message, "test:1:16: error: pop_quad_to_quad is not supported: pop_tri_to_edge"))
       << message;
   EXPECT_EQ(trial.number("facet_count"), 24);
   EXPECT_TRUE(contains(trial.failure("other"), "detorus is not supported"));
@@ -135,14 +136,14 @@ TEST(EvolverWords, DatafilesLoadWithoutWhatFails) {
   const Folder folder;
   const std::string path =
       folder.write("some.fe", file_content(datafile("cube.fe")) +
-                                  "\nr\nnonsense 5; x := 1\nt1_edgeswap edge[1]\nshow facets\n"
+                                  "\nr\nnonsense 5; x := 1\npop_quad_to_quad edge[1]\nshow facets\n"
                                   "broken := { g 5; nonsense }\ny := 2\nset vertex[99] x 1\n");
   Trial trial;
   trial.session().set_quiet(false);
   const Ran ran = trial.run("load \"" + path + "\"");
   EXPECT_EQ(ran.outcome, session::Outcome::done);
   EXPECT_TRUE(contains(ran.messages, "warning: there is no command \"nonsense\"")) << ran.messages;
-  EXPECT_TRUE(contains(ran.messages, "warning: t1_edgeswap is not supported"));
+  EXPECT_TRUE(contains(ran.messages, "warning: pop_quad_to_quad is not supported"));
   EXPECT_TRUE(contains(ran.messages, "warning: there is no vertex 99"));
   EXPECT_TRUE(contains(ran.out, "4 of the commands at its end were left out\n")) << ran.out;
   EXPECT_EQ(trial.number("facet_count"), 96);

@@ -56,6 +56,18 @@ std::string script(const std::string& name, const std::string& refinement) {
                             std::regex("borders 0.[0-9]+"), "borders 0.3");
 }
 
+// Rows of cells glide past one another by swapping neighbours. When, and which, depends on rounding.
+TEST(MotionScripts, AFlatFoamThatIsShearedFlows) {
+  Trial trial("foam_2d.fe");
+  EXPECT_NEAR(trial.number("total_length"), 10.19708695214, 1e-11);
+  trial.out(file_content(datafile("motion/shear_2d.cmd")));
+  EXPECT_GT(trial.number("swaps"), 5);
+  EXPECT_EQ(trial.number("facet_count"), 30);
+  EXPECT_NEAR(trial.number("sum(body bb, bb.volume)"), 1, 1e-12);
+  EXPECT_NEAR(trial.number("max(body bb, abs(bb.volume - bb.target))"), 0, 1e-4);
+  EXPECT_LT(trial.number("total_length"), 11);  // 14.4 had they kept their neighbours
+}
+
 // Two spheres are left, inscribed in which the meshes have a little less volume for their area.
 TEST(MotionScripts, AFilmBetweenBubblesThatArePulledApartIsGone) {
   Trial trial("double_bubble.fe");

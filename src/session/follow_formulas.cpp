@@ -1,9 +1,10 @@
-#include "session/follow_constraints.h"
+#include "session/follow_formulas.h"
 
 #include <numeric>
 #include <vector>
 
 #include "scene/constraint_sets.h"
+#include "scene/periods.h"
 #include "scene/projection.h"
 #include "text/error.h"
 
@@ -31,7 +32,8 @@ void follow_constraints(scene::Scene& scene, std::span<const std::uint32_t> vert
   }
 }
 
-void follow_constraints(scene::Scene& scene) {
+void follow_formulas(scene::Scene& scene) {
+  scene::renew_periods(scene);
   if (holds_nothing(scene)) return;
   std::vector<std::uint32_t> all(scene.film.vertex_rows());
   std::iota(all.begin(), all.end(), 0U);
