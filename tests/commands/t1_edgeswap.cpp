@@ -55,6 +55,9 @@ TEST_F(T1Edgeswap, TurnsTheEdge) {
   trial.session().set_quiet(true);
   EXPECT_NEAR(length(1), 0.2, 1e-15);
   for (const int edge : {2, 3, 4, 5}) EXPECT_NEAR(length(edge), std::hypot(1, 0.9), 1e-14) << edge;
+  // Of the strings at each end of the edge those stay or come that they do in Surface Evolver.
+  for (const auto& [edge, end] : {std::pair(2, 1), {3, 2}, {4, 2}, {5, 1}})
+    EXPECT_EQ(trial.number("edge[" + std::to_string(edge) + "].vertex[1].id"), end) << edge;
   // Cells of the sides now reach in to the middle, those above and below end at the edge.
   for (const int body : {1, 3}) EXPECT_NEAR(std::abs(area(body)), 1.1, 1e-14) << body;
   for (const int body : {2, 4}) EXPECT_NEAR(std::abs(area(body)), 0.9, 1e-14) << body;

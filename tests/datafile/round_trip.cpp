@@ -65,7 +65,8 @@ TEST(RoundTrip, IsReadByEvolver) {
     const auto loaded = load(path);
     if (!loaded) continue;
     scene::Scene scene = loaded->scene;
-    const bool formulas = !scene.level_sets.empty() || !scene.boundaries.empty() || !scene.quantities.empty();
+    const bool formulas = !scene.level_sets.empty() || !scene.boundaries.empty() ||
+                          !scene.quantities.empty() || !scene.periods.empty();
     if (!formulas) scene.variables = {};  // Evolver has no parameters of a single letter
     const std::string saved = datafile::write_datafile(scene);
     if (formulas && reads_time(saved)) continue;  // Evolver's formulas cannot
@@ -73,9 +74,9 @@ TEST(RoundTrip, IsReadByEvolver) {
     EXPECT_TRUE(answer.loaded) << answer.output;
     EXPECT_EQ(answer.vertices, scene.film.vertex_count());
     EXPECT_EQ(answer.edges, scene.film.edge_count());
-    EXPECT_EQ(answer.facets, scene.film.triangle_count());
+    EXPECT_EQ(answer.facets, facet_count(scene));
     EXPECT_EQ(answer.bodies, body_count(scene));
-    EXPECT_NEAR(answer.area, area(scene), 1e-12 * area(scene));
+    if (!scene.strings.on) EXPECT_NEAR(answer.area, area(scene), 1e-12 * area(scene));
     const double energy = energy::measure(scene).energy;
     EXPECT_NEAR(answer.energy, energy, 1e-12 * std::abs(energy));
   }

@@ -58,9 +58,9 @@ std::string script(const std::string& name, const std::string& refinement) {
 
 // Rows of cells glide past one another by swapping neighbours. When, and which, depends on rounding.
 TEST(MotionScripts, AFlatFoamThatIsShearedFlows) {
-  Trial trial("foam_2d.fe");
+  Trial trial("flat_foam.fe");
   EXPECT_NEAR(trial.number("total_length"), 10.19708695214, 1e-11);
-  trial.out(file_content(datafile("motion/shear_2d.cmd")));
+  trial.out(file_content(datafile("motion/flat_shear.cmd")));
   EXPECT_GT(trial.number("swaps"), 5);
   EXPECT_EQ(trial.number("facet_count"), 30);
   EXPECT_NEAR(trial.number("sum(body bb, bb.volume)"), 1, 1e-12);

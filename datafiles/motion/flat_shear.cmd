@@ -1,4 +1,4 @@
-// On foam_2d.fe: the cell in which the foam repeats itself is sheared by its own height, so that every row of cells
+// On flat_foam.fe: the cell in which the foam repeats itself is sheared by its own height, so that every row of cells
 // glides past the next by five cells. Edges that have become short vanish, and where four meet then the
 // point is resolved: neighbours swap (T1). Strings are kept to a length by dividing and joining them.
 refine edges
