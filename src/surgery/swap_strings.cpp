@@ -1,6 +1,8 @@
 #include "surgery/swap_strings.h"
 
 #include <array>
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "surgery/contract.h"
@@ -26,6 +28,23 @@ std::optional<std::array<EdgeEnd, 2>> others_at(const Film& film, EdgeEnd end) {
   return std::array{others[0], others[1]};
 }
 
+bool is_in_cell(const Film& film, Edge edge, int cell) {
+  const film::Column* const cells = film.columns(film::ElementKind::edge).find(scene::cells_column);
+  for (int k = 0; cells != nullptr && k < cells->width; ++k) {
+    if (std::abs(static_cast<int>(cells->value(edge.index, k))) == cell) return true;
+  }
+  return false;
+}
+
+// The cell that walks a string from its head to its tail; 0 where there is none.
+int cell_against(const Film& film, Edge edge) {
+  const film::Column* const cells = film.columns(film::ElementKind::edge).find(scene::cells_column);
+  for (int k = 0; cells != nullptr && k < cells->width; ++k) {
+    if (cells->value(edge.index, k) < 0) return -static_cast<int>(cells->value(edge.index, k));
+  }
+  return 0;
+}
+
 bool share_a_string(const std::array<EdgeEnd, 2>& a, const std::array<EdgeEnd, 2>& b) {
   for (const EdgeEnd from : a) {
     for (const EdgeEnd to : b) {
@@ -45,6 +64,9 @@ std::optional<Event> swap_at_string(scene::Scene& scene, Edge edge) {
   auto head = others_at(film, ends[1]);
   if (!tail || !head || share_a_string(*tail, *head) || !is_free(scene, at[0]) || !is_free(scene, at[1]))
     return std::nullopt;
+  // Beside the cell that walks it backward the strings go on to its tail, as in Surface Evolver.
+  if (const int cell = cell_against(film, edge); cell != 0 && !is_in_cell(film, (*tail)[0].edge(), cell))
+    std::swap((*tail)[0], (*tail)[1]);
   const auto pull = [&](EdgeEnd end) { return unit(film.vector(end.outward())); };
   const Vec3 along = film.vector(edge);
   const Vec3 across = pull((*tail)[0]) - pull((*tail)[1]);

@@ -76,7 +76,9 @@ TEST(RoundTrip, IsReadByEvolver) {
     EXPECT_EQ(answer.edges, scene.film.edge_count());
     EXPECT_EQ(answer.facets, facet_count(scene));
     EXPECT_EQ(answer.bodies, body_count(scene));
-    if (!scene.strings.on) EXPECT_NEAR(answer.area, area(scene), 1e-12 * area(scene));
+    if (!scene.strings.on) {
+      EXPECT_NEAR(answer.area, area(scene), 1e-12 * area(scene));
+    }
     const double energy = energy::measure(scene).energy;
     EXPECT_NEAR(answer.energy, energy, 1e-12 * std::abs(energy));
   }
