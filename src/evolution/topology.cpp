@@ -6,6 +6,7 @@
 #include "energy/film_energy.h"
 #include "evolution/changed_mesh.h"
 #include "evolution/masses.h"
+#include "evolution/mesh_noise.h"
 #include "evolution/rigid_velocity.h"
 #include "film/check.h"
 #include "scene/constraint_sets.h"
@@ -31,6 +32,8 @@ constexpr double near_margin = 0.15;  // beyond that, sheets are near one anothe
 constexpr double step_near = 0.05;    // the way in a step of sheets that are near one another
 constexpr double step_any = 0.25;     // and of any vertex
 constexpr double hard_gap = 0.08;     // sheets that touch and cannot merge come no nearer
+
+constexpr double noise_taken = 0.5;  // of the speed at which neighbours part within their film, a pass
 
 constexpr int most_rings_held = 5;  // around films that would meet where volumes are restored
 // The velocities around a change of the mesh are scaled by no more than this, to keep the energy.
@@ -344,7 +347,8 @@ TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::Topology
     velocity->inheritance.on_merge = film::Inheritance::Merge::mean;
   film.begin_rings_alike();  // a run that is continued from a file is the same run
   const Balance before = balance(scene);
-  double energy = potential_energy(scene) + before.kinetic;
+  damp_mesh_noise(scene, noise_taken, keeps_energy_);
+  double energy = potential_energy(scene) + balance(scene).kinetic;
   Pass pass;
   surgery::TopologyReport& report = pass.report;
   report = surgery::keep_topology(scene, options, contacts);
