@@ -132,9 +132,9 @@ void Motion::impose_volumes(double dt) {
     foreseen_[i] = target(i, scene_.time + dt) - memory_.expected(i, dt);
     errors_[i] = (foreseen_[i] - present_[i]) / dt - errors_[i];
   }
-  const bool looks = std::isfinite(memory_.miss()) && memory_.miss() > missed_little * most_missed();
   const double least = settles() ? part_of_missed * missed_much_unseen : solved_to;
-  const double looked_for = looks ? std::max(least, part_of_next * memory_.miss()) : least;
+  const double looked_for =
+      std::isfinite(memory_.miss()) ? std::max(least, part_of_next * memory_.miss()) : least;
   gram_.solve(errors_, multipliers_, looked_for * smallest_target() / dt);
   for (std::size_t i = 0; i < multipliers_.size(); ++i)
     next_pressures_[i] += multipliers_[i] * dt / pressure_span(dt);

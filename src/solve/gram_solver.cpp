@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lamella::solve {
@@ -21,6 +22,68 @@ Map vector_of(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
+// A symmetric matrix for products alone. Rows stand in bands of eight, a column of each after the other, so
+// that eight sums go on side by side; rows that are shorter than the longest of their band end in zeros.
+class BandedRows {
+ public:
+  BandedRows() = default;
+  BandedRows(int rows, const std::vector<energy::GramEntry>& pattern) : rows_(rows) {
+    std::vector<std::size_t> length(padded(), 0);
+    for_each(pattern, [&](std::size_t, std::size_t row, std::size_t) { ++length[row]; });
+    first_.push_back(0);
+    for (std::size_t band = 0; band < padded() / width; ++band) {
+      const auto begin = length.begin() + static_cast<std::ptrdiff_t>(band * width);
+      first_.push_back(first_.back() + width * *std::max_element(begin, begin + width));
+    }
+    values_.assign(first_.back(), 0.0);
+    columns_.assign(first_.back(), 0);
+    places_.resize(pattern.size());
+    std::fill(length.begin(), length.end(), 0);
+    for_each(pattern, [&](std::size_t entry, std::size_t row, std::size_t column) {
+      const std::size_t place = first_[row / width] + width * length[row]++ + row % width;
+      columns_[place] = static_cast<std::uint32_t>(column);
+      places_[entry][row < column ? 1 : 0] = place;
+    });
+  }
+
+  void set(std::size_t entry, double value) {
+    values_[places_[entry][0]] = value;
+    if (places_[entry][1] != 0) values_[places_[entry][1]] = value;
+  }
+  void multiply(const Eigen::VectorXd& vector, Eigen::VectorXd& result) const {
+    for (std::size_t band = 0; band + 1 < first_.size(); ++band) {
+      std::array<double, width> sums{};
+      for (std::size_t i = first_[band]; i < first_[band + 1]; i += width) {
+        for (std::size_t row = 0; row < width; ++row)
+          sums[row] += values_[i + row] * vector[columns_[i + row]];
+      }
+      const std::size_t end = std::min(width, static_cast<std::size_t>(rows_) - band * width);
+      for (std::size_t row = 0; row < end; ++row)
+        result[static_cast<Eigen::Index>(band * width + row)] = sums[row];
+    }
+  }
+
+ private:
+  static constexpr std::size_t width = 8;
+  std::size_t padded() const { return (static_cast<std::size_t>(rows_) + width - 1) / width * width; }
+  // Calls function(entry, row, column) for both triangles.
+  template <class Function>
+  static void for_each(const std::vector<energy::GramEntry>& pattern, const Function& function) {
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+      const auto row = static_cast<std::size_t>(pattern[i].row);
+      const auto column = static_cast<std::size_t>(pattern[i].column);
+      function(i, row, column);
+      if (row != column) function(i, column, row);
+    }
+  }
+
+  int rows_ = 0;
+  std::vector<std::size_t> first_;  // of each band
+  std::vector<double> values_;
+  std::vector<std::uint32_t> columns_;
+  std::vector<std::array<std::size_t, 2>> places_;  // of each pattern entry; no second one on the diagonal
+};
+
 }  // namespace
 
 struct GramSolver::Work {
@@ -33,9 +96,8 @@ struct GramSolver::Work {
   std::vector<double*> place;          // of each pattern entry in `sparse`
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> sparse_factor;
 
-  // For iterations: both triangles, so that a row's product is one sum.
-  Eigen::SparseMatrix<double, Eigen::RowMajor> whole;
-  std::vector<std::array<double*, 2>> place_in_whole;
+  // For iterations.
+  BandedRows whole;
   Eigen::VectorXd inverse_diagonal;
 
   bool is_dense() const { return rows <= most_dense_rows; }
@@ -50,6 +112,11 @@ GramSolver::GramSolver(int rows, const std::vector<energy::GramEntry>& pattern, 
     work_->dense = Eigen::MatrixXd::Zero(rows, rows);
     return;
   }
+  if (work_->iterates) {
+    work_->whole = BandedRows(rows, pattern);
+    work_->inverse_diagonal.resize(rows);
+    return;
+  }
   std::vector<Eigen::Triplet<double>> triplets;
   triplets.reserve(pattern.size());
   for (const energy::GramEntry& entry : pattern) triplets.emplace_back(entry.row, entry.column, 1.0);
@@ -57,15 +124,7 @@ GramSolver::GramSolver(int rows, const std::vector<energy::GramEntry>& pattern, 
   work_->sparse.setFromTriplets(triplets.begin(), triplets.end());
   for (const energy::GramEntry& entry : pattern)
     work_->place.push_back(&work_->sparse.coeffRef(entry.row, entry.column));
-  if (!work_->iterates) {
-    work_->sparse_factor.analyzePattern(work_->sparse);
-    return;
-  }
-  work_->whole = work_->sparse.selfadjointView<Eigen::Lower>();
-  for (const energy::GramEntry& entry : pattern) {
-    work_->place_in_whole.push_back(
-        {&work_->whole.coeffRef(entry.row, entry.column), &work_->whole.coeffRef(entry.column, entry.row)});
-  }
+  work_->sparse_factor.analyzePattern(work_->sparse);
 }
 
 GramSolver::~GramSolver() = default;
@@ -89,18 +148,17 @@ bool GramSolver::factorise(std::span<const double> values) {
     return d.allFinite() && d.minCoeff() > 1e-14 * d.maxCoeff();
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool idle = w.pattern[i].row == w.pattern[i].column && values[i] == 0;
-    const double value = idle ? 1.0 : values[i];
-    if (w.iterates) {
-      *w.place_in_whole[i][0] = *w.place_in_whole[i][1] = value;
-    } else {
+    const energy::GramEntry entry = w.pattern[i];
+    const bool diagonal = entry.row == entry.column;
+    const double value = diagonal && values[i] == 0 ? 1.0 : values[i];
+    if (!w.iterates) {
       *w.place[i] = value;
+      continue;
     }
+    w.whole.set(i, value);
+    if (diagonal) w.inverse_diagonal[entry.row] = 1 / value;
   }
-  if (w.iterates) {
-    w.inverse_diagonal = w.whole.diagonal().cwiseInverse();
-    return w.inverse_diagonal.allFinite() && w.inverse_diagonal.minCoeff() > 0;
-  }
+  if (w.iterates) return w.inverse_diagonal.allFinite() && w.inverse_diagonal.minCoeff() > 0;
   w.sparse_factor.factorize(w.sparse);
   if (w.sparse_factor.info() != Eigen::Success) return false;
   const Eigen::VectorXd d = w.sparse_factor.vectorD();
@@ -110,8 +168,8 @@ bool GramSolver::factorise(std::span<const double> values) {
 namespace {
 
 // Conjugate gradients preconditioned by the diagonal, from 0: callers give what is left after a good guess.
-Eigen::VectorXd iterate(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix,
-                        const Eigen::VectorXd& inverse_diagonal, Eigen::VectorXd residual, double left) {
+Eigen::VectorXd iterate(const BandedRows& matrix, const Eigen::VectorXd& inverse_diagonal,
+                        Eigen::VectorXd residual, double left) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(residual.size());
   Eigen::VectorXd scaled = inverse_diagonal.cwiseProduct(residual);
   Eigen::VectorXd direction = scaled;
@@ -120,7 +178,7 @@ Eigen::VectorXd iterate(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matr
   const double enough = iterated_to * iterated_to * product;
   for (Eigen::Index i = 0; i < residual.size() && product > 0; ++i) {
     if (left > 0 ? residual.lpNorm<Eigen::Infinity>() <= left : product <= enough) break;
-    image.noalias() = matrix * direction;
+    matrix.multiply(direction, image);
     const double length = product / direction.dot(image);
     result += length * direction;
     residual -= length * image;
