@@ -14,6 +14,8 @@ constexpr double start_speed = 1e-7;
 // Energy above the start is a failure beyond this part of a facet's, and what the film has given off since:
 // so much may pass into the shortest waves, whose energy swings by as much as they have where steps are long.
 constexpr double most_rise = 0.01;
+// The gradient flow does nothing but give energy off: what it may gain in a step is rounding.
+constexpr double most_gradient_rise = 1e-6;
 constexpr double most_volume_error = 1e-4;
 constexpr double crowded = 3;
 constexpr double implicit_accuracy = 0.1;
@@ -50,12 +52,15 @@ std::string failure_at(scene::Scene scene, Method method, double fraction, const
   // A mesh that shrinks would let the time pass ever more slowly.
   const double most = std::max(fewest, crowded * trials.steps / fraction);
   for (double made = 0; (scene.time < end && made < most) || made < fewest; ++made) {
+    const double before = motion.energy();
     const solve::Ending ending = motion.step(fraction * motion.bound());
     if (ending == solve::Ending::stuck) return "energy from nowhere";
     if (ending != solve::Ending::step_limit) return std::string(solve::describe(ending));
     const double rise = motion.energy() + motion.kinetic() - scene.work - start;
     least = std::min(least, motion.energy() - scene.work);
     if (!(rise < most_rise * facet + (start - least))) return "energy grows";
+    if (method == Method::gradient && motion.energy() > before + most_gradient_rise * facet)
+      return "energy grows";
     if (!(motion.volume_error() < most_volume_error)) return "volumes drift";
   }
   return {};

@@ -24,8 +24,8 @@ struct Trials {
 
 // Bisects. A trial starts with a random velocity far below what is seen (a ten-millionth of the speed of
 // waves), on a fixed mesh, with volumes exact. It fails if a step cannot be made, if energy rises above start
-// plus work by more than a hundredth of a facet's and what the film has given off, or if a volume is off by
-// more than a ten-thousandth.
+// plus work by more than a hundredth of a facet's and what the film has given off (in the gradient flow: if
+// it rises at all), or if a volume is off by more than a ten-thousandth.
 LargestStep find_largest_step(const scene::Scene& scene, Method method, const Trials& trials,
                               scene::Monitor& monitor);
 

