@@ -1,179 +1,171 @@
 #include "film/facet_cells.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace lamella::film {
 
 namespace {
 
-constexpr double cell_of_mean = 1.5;  // the width of a cell over the mean longest side of a facet
-constexpr double widest_cone = M_PI / 4;
-constexpr double most_cells_wide = 1.2;  // from its middle, of a facet that is not kept apart from the others
+constexpr double most_of_size = 1.25;  // the reach of facets in the first level
+constexpr double cosine_of_20 = 0.94;
 
-double longest_side(const std::array<Vec3, 3>& p) {
-  return std::sqrt(
-      std::max({squared_length(p[1] - p[0]), squared_length(p[2] - p[1]), squared_length(p[0] - p[2])}));
+// Facets of one sheet have the same, and normals on the same side.
+bool is_flipped(const RegionPair& regions) {
+  return regions.behind < regions.front;
 }
 
 }  // namespace
 
-FacetCells::NearBox FacetCells::rounded_outward(const Box& box, double margin) {
-  NearBox result;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<std::size_t>(axis);
-    result.low[k] = std::nextafter(static_cast<float>(box.low[axis] - margin), -HUGE_VALF);
-    result.high[k] = std::nextafter(static_cast<float>(box.high[axis] + margin), HUGE_VALF);
-  }
-  return result;
+void FacetCells::begin(std::size_t count, double size) {
+  reach_ = size > 0 ? most_of_size * size : 1;
+  std::size_t buckets = 2;
+  for (hash_shift_ = 63; buckets < count; --hash_shift_) buckets *= 2;
+  first_.assign(buckets, no_index);
+  in_level_ = {};
+  chunks_.clear();
+  free_.clear();
+  entries_.assign(count, {});
 }
 
-FacetCells::Sheet FacetCells::sheet_of(const RegionPair& regions) {
-  const bool flipped = regions.behind < regions.front;
-  return {flipped ? regions.flipped() : regions, flipped};
-}
-
-// The axis becomes the sum of normals.
-void FacetCells::add_to(Cone& cone, Triangle t, bool first) const {
-  if (first) cone.regions = regions_[t.index];
-  if (!(cone.regions == regions_[t.index])) cone.regions = {};
-  cone.axis += normals_[t.index];
-}
-
-// Whether any normal of the one is within 45 degrees of any of the other.
-bool FacetCells::are_one_sheet(const Cone& a, const Cone& b) {
-  if (a.regions.front == a.regions.behind || !(a.regions == b.regions)) return false;
-  const double between = widest_cone - a.angle - b.angle;
-  return between > 0 && angle_of(dot(a.axis, b.axis)) < between;
-}
-
-void FacetCells::make(std::span<const std::array<Vec3, 3>> facets, std::span<const double> widths,
-                      std::span<const RegionPair> regions) {
-  const auto count = static_cast<std::uint32_t>(facets.size());
-  regions_.resize(count);
-  normals_.resize(count);
-  keys_.resize(count);
-  near_boxes_.resize(count);
-  wide_.clear();
-  reach_ = 0;
-  double sum = 0;
-  for (std::uint32_t t = 0; t < count; ++t) sum += longest_side(facets[t]);
-  width_ = sum > 0 ? cell_of_mean * sum / count : 1;
-  std::size_t buckets = 64;
-  while (buckets < count) buckets *= 2;
-  first_.assign(buckets + 1, 0);
-  constexpr std::uint64_t nowhere = ~std::uint64_t{0};
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const std::array<Vec3, 3>& p = facets[t];
-    const Box box = box_of(p);
-    const Sheet sheet = sheet_of(regions[t]);
-    const Vec3 normal = unit(cross(p[1] - p[0], p[2] - p[0]));
-    regions_[t] = sheet.regions;
-    normals_[t] = sheet.flipped ? -normal : normal;
-    const Vec3 middle = 0.5 / width_ * (box.low + box.high);
-    const Vec3 half = 0.5 * (box.high - box.low);
-    const double reach = std::max({half.x, half.y, half.z}) + widths[t];
-    near_boxes_[t] = rounded_outward(box, widths[t]);
-    const bool wide = reach > most_cells_wide * width_;
-    if (!wide) reach_ = std::max(reach_, reach);
-    keys_[t] = wide ? nowhere : key_of(cell(middle.x), cell(middle.y), cell(middle.z));
-    if (wide)
-      wide_.emplace_back(t);
-    else
-      ++first_[bucket_of(keys_[t]) + 1];
-  }
-  for (std::size_t b = 0; b < buckets; ++b) first_[b + 1] += first_[b];
-  entries_.resize(first_[buckets]);
-  // From the last on, so that each bucket's first entry is where it begins when all are placed.
-  for (std::uint32_t t = count; t-- > 0;) {
-    if (keys_[t] == nowhere) continue;
-    const std::size_t bucket = bucket_of(keys_[t]);
-    entries_[--first_[bucket + 1]] = {keys_[t], Triangle(t)};
-  }
-  for (std::size_t b = 0; b < buckets; ++b) first_[b] = first_[b + 1];
-  first_[buckets] = static_cast<std::uint32_t>(entries_.size());
-  cones_.assign(buckets, {});
-  for (std::size_t b = 0; b < buckets; ++b) {
-    Cone& cone = cones_[b];
-    for (std::uint32_t n = first_[b]; n < first_[b + 1]; ++n) add_to(cone, entries_[n].facet, n == first_[b]);
-    cone.axis = unit(cone.axis);
-    for (std::uint32_t n = first_[b]; n < first_[b + 1]; ++n) widen(cone, entries_[n].facet);
-    cone.angle = angle_of(cone.cosine);
-  }
-}
-
-void FacetCells::sort_by_tower(std::span<const Box> boxes) {
-  asked_.resize(boxes.size());
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    const Vec3 middle = 0.5 / width_ * (boxes[i].low + boxes[i].high);
-    asked_[i] = {key_of(cell(middle.x), cell(middle.y), cell(middle.z)), i};
-  }
-  std::sort(asked_.begin(), asked_.end(),
-            [](const Asked& a, const Asked& b) { return a.key != b.key ? a.key < b.key : a.row < b.row; });
-}
-
-void FacetCells::add_candidate(Triangle t) {
-  const NearBox& box = near_boxes_[t.index];
-  candidates_.facet.push_back(t);
+FacetCells::FacetBox FacetCells::box_at(const Entry& entry) const {
+  FacetBox box;
+  const Chunk& chunk = chunks_[entry.chunk];
   for (std::size_t k = 0; k < 3; ++k) {
-    candidates_.low[k].push_back(box.low[k]);
-    candidates_.high[k].push_back(box.high[k]);
+    box.low[k] = chunk.low[k][entry.slot];
+    box.high[k] = chunk.high[k][entry.slot];
+  }
+  return box;
+}
+
+void FacetCells::set_box(Chunk& chunk, std::uint32_t slot, const FacetBox& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    chunk.low[k][slot] = box.low[k];
+    chunk.high[k][slot] = box.high[k];
   }
 }
 
-void FacetCells::gather(const Box& box, const Cone& cone) {
-  candidates_.facet.clear();
-  for (std::size_t k = 0; k < 3; ++k) {
-    candidates_.low[k].clear();
-    candidates_.high[k].clear();
-  }
-  for (const Triangle t : wide_) add_candidate(t);
-  const double reach = reach_;
-  const Vec3 low = (1 / width_) * (box.low - Vec3{reach, reach, reach});
-  const Vec3 high = (1 / width_) * (box.high + Vec3{reach, reach, reach});
-  const double cells = (high.x - low.x + 1) * (high.y - low.y + 1) * (high.z - low.z + 1);
-  if (!(cells < most_cells)) {
-    for (const Entry& entry : entries_) add_candidate(entry.facet);
+// The first normal is the axis. What was taken out counts until all are.
+void FacetCells::add_normal(Chunk& chunk, const Entry& entry) {
+  if (chunk.count == 1) {
+    chunk.regions = entry.regions;
+    chunk.axis = entry.normal;
+    chunk.cosine = entry.regions.front == entry.regions.behind ? never : cosine_of_45;
     return;
   }
-  const std::int64_t top = cell(high.z);
-  for (std::int64_t i = cell(low.x); i <= cell(high.x); ++i) {
-    for (std::int64_t j = cell(low.y); j <= cell(high.y); ++j) {
-      for (std::int64_t k = cell(low.z); k <= top; k = (k / tower + 1) * tower) {
-        const std::uint64_t lowest = key_of(i, j, k);
-        const std::uint64_t span = key_of(i, j, std::min(top, (k / tower + 1) * tower - 1)) - lowest;
-        const std::size_t bucket = bucket_of(lowest);
-        if (first_[bucket] == first_[bucket + 1] || are_one_sheet(cone, cones_[bucket])) continue;
-        for (std::uint32_t n = first_[bucket]; n < first_[bucket + 1]; ++n) {
-          if (entries_[n].key - lowest <= span) add_candidate(entries_[n].facet);
-        }
-      }
-    }
+  const auto c = static_cast<double>(cosine(chunk.axis, entry.normal));
+  if (!(chunk.regions == entry.regions) || !(c > static_cast<double>(cosine_of_45))) {
+    chunk.cosine = never;
+    return;
+  }
+  const double s = std::sqrt(std::max(0.0, 1 - c * c));
+  chunk.cosine = std::max(chunk.cosine, static_cast<float>(std::sqrt(0.5) * (c + s)));
+}
+
+std::uint32_t FacetCells::chunk_with_room(std::uint64_t key) {
+  std::uint32_t& first = first_[bucket_of(key)];
+  for (std::uint32_t c = first; c != no_index; c = chunks_[c].next) {
+    if (chunks_[c].key == key && chunks_[c].count < in_chunk) return c;
+  }
+  auto c = static_cast<std::uint32_t>(chunks_.size());
+  if (free_.empty()) {
+    chunks_.emplace_back();
+  } else {
+    c = free_.back();
+    free_.pop_back();
+  }
+  chunks_[c].key = key;
+  chunks_[c].next = std::exchange(first, c);
+  return c;
+}
+
+void FacetCells::add(std::uint32_t row, std::uint64_t key, const FacetBox& box) {
+  Entry& entry = entries_[row];
+  entry.chunk = chunk_with_room(key);
+  Chunk& chunk = chunks_[entry.chunk];
+  entry.slot = chunk.count++;
+  chunk.row[entry.slot] = row;
+  set_box(chunk, entry.slot, box);
+  add_normal(chunk, entry);
+  ++in_level_[key % levels];
+}
+
+void FacetCells::take_out(std::uint32_t row) {
+  Entry& entry = entries_[row];
+  if (entry.chunk == no_index) return;
+  Chunk& chunk = chunks_[entry.chunk];
+  Entry& last = entries_[chunk.row[--chunk.count]];
+  set_box(chunk, entry.slot, box_at(last));
+  chunk.row[entry.slot] = chunk.row[chunk.count];
+  last.slot = entry.slot;
+  --in_level_[chunk.key % levels];
+  const std::uint32_t c = std::exchange(entry.chunk, no_index);
+  if (chunk.count > 0) return;
+  std::uint32_t* link = &first_[bucket_of(chunk.key)];
+  while (*link != c) link = &chunks_[*link].next;
+  *link = chunk.next;
+  free_.push_back(c);
+}
+
+void FacetCells::put(Triangle t, const std::array<Vec3, 3>& corners, double width,
+                     const RegionPair& regions) {
+  FacetBox box;
+  double reach = 0;
+  std::array<double, 3> middle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int axis = static_cast<int>(k);
+    const auto [low, high] = std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
+    box.low[k] = std::nextafter(static_cast<float>(low - width), -HUGE_VALF);
+    box.high[k] = std::nextafter(static_cast<float>(high + width), HUGE_VALF);
+    // As they are rounded: who looks for facets does so from these.
+    middle[k] = 0.5 * (double{box.low[k]} + double{box.high[k]});
+    reach = std::max(reach, 0.5 * (double{box.high[k]} - double{box.low[k]}));
+  }
+  std::uint32_t level = 0;
+  double most = reach_;
+  for (; level + 1 < levels && reach > most; ++level) most *= 2;
+  const double wide = cell_of_reach * most;
+  const bool flipped = is_flipped(regions);
+  Vec3 normal = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  if (flipped) normal = -normal;
+  take_out(t.index);
+  Entry& entry = entries_[t.index];
+  entry.regions = flipped ? regions.flipped() : regions;
+  entry.normal = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
+  add(t.index, key_of(cell(middle[0] / wide), cell(middle[1] / wide), cell(middle[2] / wide), level), box);
+}
+
+void FacetCells::rename(std::span<const Triangle> rows, std::size_t count) {
+  for (std::uint32_t n = 0; n < entries_.size(); ++n) {
+    if (n >= rows.size() || !rows[n].valid()) take_out(n);
+  }
+  std::vector<Entry> entries(count);
+  for (std::size_t n = 0; n < std::min(rows.size(), entries_.size()); ++n) {
+    if (rows[n].valid()) entries[rows[n].index] = entries_[n];
+  }
+  entries_ = std::move(entries);
+  for (Chunk& chunk : chunks_) {
+    for (std::uint32_t slot = 0; slot < chunk.count; ++slot) chunk.row[slot] = rows[chunk.row[slot]].index;
   }
 }
 
-std::size_t FacetCells::pick(const NearBox& box) {
-  const std::size_t count = candidates_.facet.size();
-  met_.resize(count);
-  picked_.resize(count + 1);
-  const float* const low[3] = {candidates_.low[0].data(), candidates_.low[1].data(),
-                               candidates_.low[2].data()};
-  const float* const high[3] = {candidates_.high[0].data(), candidates_.high[1].data(),
-                                candidates_.high[2].data()};
-  std::int32_t* const met = met_.data();
-  for (std::size_t n = 0; n < count; ++n) {
-    met[n] = static_cast<std::int32_t>(low[0][n] <= box.high[0]) &
-             static_cast<std::int32_t>(high[0][n] >= box.low[0]) &
-             static_cast<std::int32_t>(low[1][n] <= box.high[1]) &
-             static_cast<std::int32_t>(high[1][n] >= box.low[1]) &
-             static_cast<std::int32_t>(low[2][n] <= box.high[2]) &
-             static_cast<std::int32_t>(high[2][n] >= box.low[2]);
-  }
-  std::size_t picked = 0;
-  for (std::size_t n = 0; n < count; ++n) {
-    picked_[picked] = static_cast<std::uint32_t>(n);
-    picked += static_cast<std::size_t>(met[n]);
-  }
-  return picked;
+void FacetCells::order(std::span<Triangle> facets) const {
+  std::sort(facets.begin(), facets.end(), [&](Triangle a, Triangle b) {
+    const std::uint32_t i = entries_[a.index].chunk;
+    const std::uint32_t k = entries_[b.index].chunk;
+    return i != k ? i < k : a < b;
+  });
+}
+
+bool FacetCells::is_relabelled(Triangle t, const RegionPair& regions) const {
+  return !(entries_[t.index].regions == (is_flipped(regions) ? regions.flipped() : regions));
+}
+
+bool FacetCells::has_turned(Triangle t, const Vec3& normal, const RegionPair& regions) const {
+  const bool flipped = is_flipped(regions);
+  const Entry& entry = entries_[t.index];
+  const Vec3 before{entry.normal[0], entry.normal[1], entry.normal[2]};
+  const double cosine = flipped ? -dot(before, normal) : dot(before, normal);
+  return !(cosine > 0 && cosine * cosine > cosine_of_20 * cosine_of_20 * squared_length(normal));
 }
 
 }  // namespace lamella::film

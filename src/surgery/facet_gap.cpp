@@ -18,6 +18,8 @@ using film::Vertex;
 namespace {
 
 constexpr int most_advances = 64;
+constexpr int most_rounds = 12;    // for a plane between two facets, by E. G. Gilbert's steps
+constexpr double near_best = 0.2;  // of the distance of the plane
 constexpr double touching = 1e-7;  // of the way in a move and the size of the facets
 
 struct Span {
@@ -91,6 +93,11 @@ double altitude_over(const Film& film, Side s) {
 
 }  // namespace
 
+double longest_side(const Corners& p) {
+  return std::sqrt(
+      std::max({squared_length(p[1] - p[0]), squared_length(p[2] - p[1]), squared_length(p[0] - p[2])}));
+}
+
 double gap_at_least(const Corners& a, const Corners& b) {
   double gap = box_gap(a, b);
   gap = std::max(gap, gap_along((b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]), a, b));
@@ -123,9 +130,17 @@ std::array<double, 2> room_at_corner(const Film& film, Triangle a, Triangle b) {
   const Corners q = from_corner(film.points(b), k);
   const Vec3 own[2] = {p[1] - p[0], p[2] - p[0]};
   const Vec3 others[2] = {q[1] - q[0], q[2] - q[0]};
-  const Vec3 to_own = own[0] + own[1];
-  const Vec3 to_other = others[0] + others[1];
-  const Vec3 axis = length(to_other) * to_own - length(to_own) * to_other;
+  // The nearest point to the corner of the hull of ways from it to the other corners, those of one facet
+  // reversed, would be the best axis.
+  const std::array<Vec3, 4> ways{unit(own[0]), unit(own[1]), -unit(others[0]), -unit(others[1])};
+  Vec3 axis = 0.25 * (ways[0] + ways[1] + ways[2] + ways[3]);
+  for (int round = 0; round < most_rounds; ++round) {
+    const Vec3* lowest = &ways[0];
+    for (const Vec3& way : ways) lowest = dot(axis, way) < dot(axis, *lowest) ? &way : lowest;
+    const double excess = dot(axis, axis - *lowest);
+    if (!(excess > near_best * squared_length(axis))) break;
+    axis += std::min(1.0, excess / squared_length(axis - *lowest)) * (*lowest - axis);
+  }
   const double l = length(axis);
   if (!(l > 0)) return {0, 0};
   return {std::min(dot(axis, own[0]), dot(axis, own[1])) / l,
@@ -153,6 +168,7 @@ bool meet_on_the_way(const Corners& a_from, const Corners& a_to, const Corners& 
     for (std::size_t m = 0; m < 3; ++m)
       way = std::max(way, length((a_to[k] - a_from[k]) - (b_to[m] - b_from[m])));
   }
+  if (gap_at_least(a_from, b_from) > way) return false;
   double part = 0;
   for (int advance = 0; advance < most_advances && part < 1; ++advance) {
     const double gap = distance(between(a_from, a_to, part), between(b_from, b_to, part));

@@ -16,6 +16,8 @@ struct FacetPair {
   double gap = 0;
 };
 
+double longest_side(const Corners& p);
+
 // No more than the distance of two triangles, and cheaper: the largest gap between them along the line of
 // their middles, their normals and the axes. At most 0 where none of these separates them.
 double gap_at_least(const Corners& a, const Corners& b);

@@ -19,9 +19,27 @@ namespace {
 // vertex in its own sheet does not.
 constexpr double least_facing = 0.5;
 
+constexpr double least_cosine = 0.085;  // of 85 degrees
+
+Vec3 normal(const Corners& p) {
+  return cross(p[1] - p[0], p[2] - p[0]);
+}
+
 bool faces(const Corners& triangle, const Vec3& way) {
-  const Vec3 n = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  const Vec3 n = normal(triangle);
   return std::abs(dot(n, way)) >= least_facing * length(n) * length(way);
+}
+
+// Whether two facets lie in one sheet between two regions, their normals within 85 degrees: between those
+// there is another sheet. Of such pairs it is left to chance which are told of.
+bool are_one_sheet(const Film& film, const FacetPair& pair) {
+  const film::RegionPair a = film.regions(pair.a);
+  const film::RegionPair b = film.regions(pair.b);
+  const bool flipped = a == b.flipped();
+  if (a.front == a.behind || !(a == b || flipped)) return false;
+  const Vec3 m = normal(film.points(pair.a));
+  const Vec3 n = normal(film.points(pair.b));
+  return (flipped ? -dot(m, n) : dot(m, n)) > least_cosine * length(m) * length(n);
 }
 
 // Whether a facet touches a vertex or one of its neighbours.
@@ -81,16 +99,21 @@ void Proximity::update(const Film& film, std::span<const FacetPair> facets) {
     if (squared_length(way) < most * most && faces(points, way) && !touches_ring(film, v, t))
       pairs_.push_back({v, t});
   };
-  for (const FacetPair& pair : facets) {
+  for (FacetPair pair : facets) {
     const double most = reach_ + margin_;
     const auto is_far = [&](Triangle t) {
       const auto& corners = film.corners(t);
       return std::all_of(corners.begin(), corners.end(), [&](Vertex v) { return pair.gap > most * size(v); });
     };
-    if (!is_far(pair.a)) {
+    if (is_far(pair.a) && is_far(pair.b)) continue;
+    pair.gap = std::max(pair.gap, gap_at_least(film.points(pair.a), film.points(pair.b)));
+    const bool a_far = is_far(pair.a);
+    const bool b_far = is_far(pair.b);
+    if ((a_far && b_far) || are_one_sheet(film, pair)) continue;
+    if (!a_far) {
       for (const Vertex v : film.corners(pair.a)) look_at(v, pair.b);
     }
-    if (!is_far(pair.b)) {
+    if (!b_far) {
       for (const Vertex v : film.corners(pair.b)) look_at(v, pair.a);
     }
   }

@@ -30,6 +30,12 @@ bool is_out_of_order(const Film& film, Edge e) {
   return !turns_once(unit(film.vector(e)), directions, 0);
 }
 
+Tangle corners_of(const Film& film, Triangle a, Triangle b) {
+  Tangle corners(film.corners(a).begin(), film.corners(a).end());
+  corners.insert(corners.end(), film.corners(b).begin(), film.corners(b).end());
+  return corners;
+}
+
 std::vector<Tangle> united(const Film& film, const std::vector<Tangle>& parts) {
   if (parts.empty()) return {};
   film::UnionFind sets(film.vertex_rows());
@@ -63,11 +69,7 @@ std::vector<Tangle> tangles(const Film& film) {
   for (std::uint32_t i = 0; i < film.triangle_rows(); ++i) {
     const Triangle t(i);
     if (!film.alive(t)) continue;
-    for (const Triangle other : grid.crossing(t, most_met)) {
-      Tangle part(film.corners(t).begin(), film.corners(t).end());
-      part.insert(part.end(), film.corners(other).begin(), film.corners(other).end());
-      parts.push_back(std::move(part));
-    }
+    for (const Triangle other : grid.crossing(t, most_met)) parts.push_back(corners_of(film, t, other));
   }
   return united(film, parts);
 }

@@ -15,6 +15,9 @@ std::vector<Tangle> tangles(const film::Film& film);
 // Whether the films around a border do not come in the order that the complex says.
 bool is_out_of_order(const film::Film& film, film::Edge e);
 
+// Of two facets; those that they share come twice.
+Tangle corners_of(const film::Film& film, film::Triangle a, film::Triangle b);
+
 // The vertices of a tangle and those so many edges away, each once.
 Tangle grown(const film::Film& film, const Tangle& tangle, int rings);
 

@@ -121,6 +121,35 @@ TEST(TangleWatch, MissesNothingThatTheWholeSearchFinds) {
   EXPECT_LT(looked_at, facets) << "less than half: each facet counts for its edges and for its way";
 }
 
+// A sheet that was flat folds up: its halves come to face one another, next to the crease, too, where every
+// vertex of one is an edge away from the other.
+TEST(TangleWatch, ListsWhatFacesAcrossAFoldThatWasFlat) {
+  const int n = 8;
+  Film film = two_sheets(n, 9);
+  TangleWatch watch;
+  std::vector<Vec3> flat(film.positions().begin(), film.positions().end());
+  for (int step = 0; step <= 15; ++step) {
+    const double turn = step * 5 * M_PI / 180;
+    for (std::uint32_t v = 0; v < flat.size() / 2; ++v) {
+      const double way = flat[v].x - 0.5;
+      film.move(Vertex(v), {way * std::cos(turn), flat[v].y, std::abs(way) * std::sin(turn)});
+    }
+    EXPECT_TRUE(watch.look(film).empty());
+  }
+  const auto side = [&](film::Triangle t) {
+    const Corners p = film.points(t);
+    return p[0].x + p[1].x + p[2].x;
+  };
+  const double across = 3.0 / n * std::cos(75 * M_PI / 180);  // of facets a column from the crease, at most
+  int facing = 0;
+  for (const FacetPair& pair : watch.near_pairs()) {
+    const double a = side(pair.a);
+    const double b = side(pair.b);
+    facing += a * b < 0 && std::abs(a) < 2 * across && std::abs(b) < 2 * across ? 1 : 0;
+  }
+  EXPECT_GT(facing, n);
+}
+
 // What surgery leaves alone is not looked at again.
 TEST(TangleWatch, FollowsSurgery) {
   scene::Scene scene = test::random_bubbles(1, 4);
