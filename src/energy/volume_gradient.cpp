@@ -89,9 +89,15 @@ void VolumeGradient::find_borders(const film::Film& film, std::span<const int> r
   const auto touch = [&](film::Vertex v, film::Region region) {
     touch_row(border_of_vertex[v.index], row_of_region[region.index]);
   };
+  std::vector<std::uint32_t> near;  // triangles at borders: few
+  for (std::uint32_t t = 0; t < view.triangles.size(); ++t) {
+    if (view.regions[t].front == view.regions[t].behind) continue;
+    const auto& [a, b, c] = view.triangles[t];
+    if ((border_of_vertex[a.index] & border_of_vertex[b.index] & border_of_vertex[c.index]) != none)
+      near.push_back(t);
+  }
   const auto each_corner = [&](auto&& function) {
-    for (std::uint32_t t = 0; t < view.triangles.size(); ++t) {
-      if (view.regions[t].front == view.regions[t].behind) continue;
+    for (const std::uint32_t t : near) {
       for (const film::Vertex v : view.triangles[t]) function(t, v);
     }
   };

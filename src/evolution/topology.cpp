@@ -24,7 +24,7 @@ namespace {
 // In units of the mesh's size.
 constexpr double look_after = 0.05;  // the way of a vertex from look to look
 constexpr double look_after_tight = 0.01;
-constexpr double mend_after = 0.2;  // and until what can wait is mended
+constexpr double mend_after = 0.3;  // and until what can wait is mended
 constexpr double look_at_end = 1e-3;
 constexpr double evened_from = 0.1;   // the way of a vertex to the middle of those around it
 constexpr double contact = 0.15;      // sheets nearer than this touch
@@ -33,7 +33,7 @@ constexpr double step_near = 0.05;    // the way in a step of sheets that are ne
 constexpr double step_any = 0.25;     // and of any vertex
 constexpr double hard_gap = 0.08;     // sheets that touch and cannot merge come no nearer
 
-constexpr double noise_taken = 0.5;  // of the speed at which neighbours part within their film, a pass
+constexpr double noise_taken = 0.65;  // of the speed at which neighbours part within their film, a pass
 
 constexpr int most_rings_held = 5;  // around films that would meet where volumes are restored
 // The velocities around a change of the mesh are scaled by no more than this, to keep the energy.
@@ -55,7 +55,7 @@ std::array<double, 3> parts_at(const std::array<Vec3, 3>& triangle, const Vec3& 
 }
 
 // Volumes restored while some vertices stay where they are.
-bool restore_elsewhere(Scene& scene, std::span<const surgery::Tangle> held) {
+std::unique_ptr<solve::Problem> restored_elsewhere(Scene& scene, std::span<const surgery::Tangle> held) {
   film::Columns& columns = scene.film.columns(ElementKind::vertex);
   const film::Column* const known = columns.find("fixed");
   const std::optional<film::Column> before = known != nullptr ? std::optional(*known) : std::nullopt;
@@ -64,12 +64,12 @@ bool restore_elsewhere(Scene& scene, std::span<const surgery::Tangle> held) {
   for (const surgery::Tangle& tangle : held) {
     for (const Vertex v : tangle) fixed.set(v.index, 0, 1);
   }
-  const bool restored = restore_volumes(scene);
+  std::unique_ptr<solve::Problem> problem = restored(scene);
   if (before)
     columns.add(*before);
   else
     columns.remove("fixed");
-  return restored;
+  return problem;
 }
 
 // Flags, by the rows of the film after compaction, for vertices named by rows before.
@@ -96,8 +96,7 @@ class Touched {
   }
 
   // What mass the touched vertices have, and what was lost with others, spread by area.
-  void spread_mass(double total) {
-    energy::FilmEnergy terms(scene_);
+  void spread_mass(double total, energy::FilmEnergy& terms) {
     energy_ = terms.gradient(scene_.film.positions());
     double elsewhere = 0;
     double area = 0;
@@ -219,8 +218,9 @@ void TopologyKeeper::note_place(const Film& film) {
 bool TopologyKeeper::is_mending_due(const Film& film) const {
   const std::span<const Vec3> positions = film.positions();
   if (mended_.size() != positions.size()) return true;
+  const auto sizes = film.columns(ElementKind::vertex).reals(surgery::size_column);
   for (std::uint32_t v = 0; v < mended_.size(); ++v) {
-    const double most = mend_after * surgery::size_of(film, Vertex(v));
+    const double most = mend_after * sizes[v];
     if (squared_length(positions[v] - mended_[v]) > most * most) return true;
   }
   return surgery::has_narrow_wedges(film, options_) ||
@@ -310,23 +310,24 @@ void TopologyKeeper::count(Pass& pass) {
 
 // What holds vertices and the volumes. Of a film that is sound, what would pass through itself on the way
 // stays where it is, and more and more around it.
-bool TopologyKeeper::put_right(Scene& scene, bool sound) {
+TopologyKeeper::PutRight TopologyKeeper::put_right(Scene& scene, bool sound) {
   const Film& film = scene.film;
   if (!scene.has_fixed_volume() || film.triangle_count() == 0) {
     scene::constrain_vertices(scene);
-    return true;
+    return {true, nullptr};
   }
   const Scene before = scene;
   std::vector<surgery::Tangle> held;
   for (int rings = 0; rings < most_rings_held; ++rings) {
-    if (!(held.empty() ? restore_volumes(scene) : restore_elsewhere(scene, held))) return false;
-    if (!sound) return true;
+    auto problem = held.empty() ? restored(scene) : restored_elsewhere(scene, held);
+    if (problem == nullptr) return {};
+    if (!sound) return {true, std::move(problem)};
     const std::vector<surgery::Tangle> tangles = watch_.look(film);
-    if (tangles.empty()) return true;
+    if (tangles.empty()) return {true, std::move(problem)};
     for (const surgery::Tangle& tangle : tangles) held.push_back(surgery::grown(film, tangle, rings));
     scene = before;
   }
-  return false;
+  return {};
 }
 
 // Whether a film is no worse than it was: sound, and labelled soundly.
@@ -348,7 +349,7 @@ TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::Topology
   film.begin_rings_alike();  // a run that is continued from a file is the same run
   const Balance before = balance(scene);
   damp_mesh_noise(scene, noise_taken, keeps_energy_);
-  double energy = potential_energy(scene) + balance(scene).kinetic;
+  double energy = keeps_energy_ ? potential_energy(scene) + balance(scene).kinetic : 0;
   Pass pass;
   surgery::TopologyReport& report = pass.report;
   report = surgery::keep_topology(scene, options, contacts);
@@ -360,12 +361,18 @@ TopologyKeeper::Pass TopologyKeeper::apply(Scene& scene, const surgery::Topology
   if (!report.changed()) return pass;
   watch_.before_compaction(film);
   Touched touched(scene, compact_with_flags(film, report.touched));
-  if (!put_right(scene, sound)) {
+  const PutRight right = put_right(scene, sound);
+  if (!right.done) {
     ++counts_.refused;
     pass.changed = false;
     return pass;
   }
-  touched.spread_mass(before.mass);
+  if (right.with != nullptr) {
+    touched.spread_mass(before.mass, right.with->energy());
+  } else {
+    energy::FilmEnergy terms(scene);
+    touched.spread_mass(before.mass, terms);
+  }
   touched.restore_momentum(before.momentum);
   if (keeps_energy_ && report.events.empty() && report.zips == 0)
     touched.add_kinetic(energy - touched.energy() - touched.balance().kinetic);

@@ -1,11 +1,13 @@
 // Surgery on a film in motion: when to look, and what becomes of volumes, masses and velocities.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "evolution/balance.h"
 #include "scene/scene.h"
+#include "solve/problem.h"
 #include "surgery/keep_topology.h"
 #include "surgery/proximity.h"
 #include "surgery/tangle_watch.h"
@@ -87,7 +89,11 @@ class TopologyKeeper {
   void count(Pass& pass);
   bool is_mending_due(const film::Film& film) const;
   void note_place(const film::Film& film);
-  bool put_right(scene::Scene& scene, bool sound);
+  struct PutRight {
+    bool done = false;
+    std::unique_ptr<solve::Problem> with;  // null where there was nothing to restore
+  };
+  PutRight put_right(scene::Scene& scene, bool sound);
   bool is_fit(const film::Film& film, const surgery::TopologyReport& report, bool sound, bool labelled);
   bool slow_down(scene::Scene& scene, std::span<const surgery::Contact> contacts);
 

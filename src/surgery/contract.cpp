@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "film/intersections.h"
+#include "film/crossing_grid.h"
 #include "scene/constraint_sets.h"
 #include "surgery/patch.h"
 #include "surgery/trial.h"
@@ -59,6 +59,7 @@ class Contractor {
   bool is_simple(const Rearrangement& r) const;
   std::vector<Tried> rank();
   bool commit(const Tried& tried, double radius, Contraction& done);
+  bool keeps_clear(const Tried& tried, const TrialFilm& trial);
   bool labels_agree(std::span<const Vertex> copies) const;
   Event event_of(const Tried& tried) const;
 
@@ -71,6 +72,7 @@ class Contractor {
   double radius_ = 0;
   double before_ = 0;
   std::vector<Triangle> star_;
+  std::optional<film::CrossingGrid> own_grid_;
 };
 
 bool Contractor::pick() {
@@ -208,8 +210,27 @@ bool Contractor::labels_agree(std::span<const Vertex> copies) const {
   return agree;
 }
 
+// Whether the new facets, which are those of the trial, pass through nothing.
+bool Contractor::keeps_clear(const Tried& tried, const TrialFilm& trial) {
+  const auto vertex = [&](int point) {
+    return point < tried.how.copies ? Vertex(film_.vertex_rows() + static_cast<std::uint32_t>(point))
+                                    : link_.nodes[at(point - tried.how.copies)].outer;
+  };
+  std::vector<film::FacetShape> shapes;
+  for (const TrialFacet& facet : trial.facets) {
+    film::FacetShape shape;
+    for (std::size_t k = 0; k < 3; ++k) {
+      shape.corners[k] = vertex(facet.corners[k]);
+      shape.points[k] = centre_ + trial.points[at(facet.corners[k])];
+    }
+    shapes.push_back(shape);
+  }
+  std::optional<film::CrossingGrid>& grid = options_.grid != nullptr ? *options_.grid : own_grid_;
+  if (!grid) grid.emplace(film_);
+  return !grid->crosses(shapes, star_);
+}
+
 bool Contractor::commit(const Tried& tried, double radius, Contraction& done) {
-  const Film before = film_;
   TrialFilm trial = trial_of(tried.how, radius);
   double left = energy(trial);
   if (radius == radius_) {
@@ -220,8 +241,9 @@ bool Contractor::commit(const Tried& tried, double radius, Contraction& done) {
   }
   const double sigma_size = options_.size * options_.size;
   if (left > before_ - options_.gain * sigma_size) return false;
-  if (smallest_altitude(trial) < least_altitude * options_.size) return false;
+  if (smallest_altitude(trial) < least_altitude * options_.size || !keeps_clear(tried, trial)) return false;
 
+  const Film before = film_;
   std::vector<Vertex> copies;
   for (int c = 0; c < tried.how.copies; ++c)
     copies.push_back(copy_vertex(film_, cluster_[at(c) % cluster_.size()], centre_ + trial.points[at(c)]));
@@ -247,11 +269,14 @@ bool Contractor::commit(const Tried& tried, double radius, Contraction& done) {
   for (const Piece& p : tried.how.films)
     patch.made.push_back(
         {{vertex(p.corners[0]), vertex(p.corners[1]), vertex(p.corners[2])}, p.regions, p.like});
-  const std::vector<Triangle> made = replace(film_, patch);
+  replace(film_, patch);
   for (const Spoke& spoke : spokes) film_.inherit(film_.find_edge(spoke.from, spoke.to).edge(), spoke.old);
-  if (!labels_agree(copies) || !film::self_intersections(film_, made, 1).empty()) {
+  if (!labels_agree(copies)) {
     film_ = before;
     return false;
+  }
+  if (options_.grid != nullptr) {
+    for (const Vertex v : copies) (*options_.grid)->add_around(v);
   }
   done = {event_of(tried), before_ - left, copies};
   return true;

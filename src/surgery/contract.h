@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "film/crossing_grid.h"
 #include "scene/scene.h"
 #include "surgery/event.h"
 #include "surgery/rearrangement.h"
@@ -21,6 +22,9 @@ struct ContractOptions {
   std::optional<Move> only = {};  // no other move
   // May be gone afterwards although it has a target volume; another may not.
   film::Region vanishes = film::outside_region;
+  // For several contractions one after the other, with no other change in between: made where it is needed
+  // first.
+  std::optional<film::CrossingGrid>* grid = nullptr;
 };
 
 struct Contraction {

@@ -118,6 +118,7 @@ class Keeper {
   TopologyReport report_;
   std::vector<Vertex> odd_;  // perhaps illegal
   int commits_ = 0;
+  std::optional<film::CrossingGrid> grid_;  // of changes of topology
 };
 
 void Keeper::vanish() {
@@ -217,7 +218,8 @@ void Keeper::resolve(const std::vector<std::vector<Vertex>>& clusters) {
     if (!std::all_of(cluster.begin(), cluster.end(), [&](Vertex v) { return film_.alive(v); })) continue;
     const double size = size_of(film_, cluster[0]);
     const std::vector<Vertex> whole = whole_cluster(scene_, cluster, size);
-    if (const auto done = contract(scene_, whole, {.size = size, .gain = options_.gain})) note(*done);
+    if (const auto done = contract(scene_, whole, {.size = size, .gain = options_.gain, .grid = &grid_}))
+      note(*done);
   }
   for (const Vertex v : places_to_pop(scene_)) odd_.push_back(v);
   pop_around();
@@ -234,9 +236,8 @@ void Keeper::pop_around() {
     if (!film_.alive(v) || !is_free(scene_, v)) continue;
     const Link link = link_of(film_, v);
     if (link.nodes.empty() || kind_of(link) != LinkKind::illegal) continue;
-    if (const auto done =
-            contract(scene_, std::span(&v, 1), {.size = size_of(film_, v), .gain = 0.01 * options_.gain}))
-      note(*done);
+    const ContractOptions how{.size = size_of(film_, v), .gain = 0.01 * options_.gain, .grid = &grid_};
+    if (const auto done = contract(scene_, std::span(&v, 1), how)) note(*done);
   }
 }
 

@@ -71,7 +71,7 @@ class Remesher {
     keep_sizes(film_);
     for (int round = 0; round < options_.rounds; ++round) {
       const long before = report_.operations();
-      report_.stuck.clear();
+      begin_round();
       divide_long();
       collapse_short();
       mend_slivers();
@@ -89,7 +89,23 @@ class Remesher {
   };
   template <class Wanted>
   std::vector<Ranked> edges_where(Wanted wanted) const;
-  void touch(Vertex v) { report_.touched.push_back(v); }
+  void begin_round();
+  bool is_open(Vertex v) const { return round_ == 1 || touched_in_[v.index] + 1 >= round_; }
+  bool is_open(Edge e) const {
+    const auto& [tail, head] = film_.ends(e);
+    return is_open(tail) || is_open(head);
+  }
+  void note_change(Vertex v) {
+    if (touched_in_.size() < film_.vertex_rows()) {
+      touched_in_.resize(film_.vertex_rows(), round_);
+      flipped_in_.resize(film_.vertex_rows());
+    }
+    touched_in_[v.index] = round_;
+  }
+  void touch(Vertex v) {
+    report_.touched.push_back(v);
+    note_change(v);
+  }
   void divide_long();
   void collapse_short();
   bool collapse(Edge e);
@@ -112,14 +128,42 @@ class Remesher {
   RemeshOptions options_;
   RemeshReport report_;
   std::optional<film::CrossingGrid> grid_;
+  // After the first round only what has changed since the one before, and what is next to it, is looked at:
+  // the round in which each vertex was last touched, and the pass of flips.
+  int round_ = 0;
+  int flip_pass_ = 0;
+  std::vector<int> touched_in_;
+  std::vector<int> flipped_in_;
 };
+
+// What stood in the way in the round before is looked at again where something has changed around it.
+void Remesher::begin_round() {
+  ++round_;
+  touched_in_.resize(film_.vertex_rows());
+  flipped_in_.resize(film_.vertex_rows());
+  if (round_ == 1) return;
+  std::vector<Vertex> next_to;
+  for (std::uint32_t i = 0; i < film_.edge_rows(); ++i) {
+    if (!film_.alive(Edge(i))) continue;
+    const auto& [tail, head] = film_.ends(Edge(i));
+    if (is_open(tail) != is_open(head)) next_to.push_back(is_open(tail) ? head : tail);
+  }
+  for (const Vertex v : next_to) note_change(v);
+  std::erase_if(report_.stuck, [&](const std::vector<Vertex>& cluster) {
+    return std::any_of(cluster.begin(), cluster.end(),
+                       [&](Vertex v) { return !film_.alive(v) || is_open(v); });
+  });
+}
 
 template <class Wanted>
 std::vector<Remesher::Ranked> Remesher::edges_where(Wanted wanted) const {
   std::vector<Ranked> list;
+  const auto sizes = film_.columns(film::ElementKind::vertex).reals(size_column);
   for (std::uint32_t i = 0; i < film_.edge_rows(); ++i) {
-    if (!film_.alive(Edge(i))) continue;
-    const double relative = relative_length(film_, Edge(i));
+    if (!film_.alive(Edge(i)) || !is_open(Edge(i))) continue;
+    const auto& [tail, head] = film_.ends(Edge(i));
+    const double size = 0.5 * (sizes[tail.index] + sizes[head.index]);
+    const double relative = size > 0 ? edge_length(film_, Edge(i)) / size : relative_length(film_, Edge(i));
     if (wanted(relative)) list.push_back({relative, Edge(i)});
   }
   return list;
@@ -226,7 +270,10 @@ void Remesher::mend_slivers() {
   const std::uint32_t rows = film_.triangle_rows();
   for (std::uint32_t i = 0; i < rows; ++i) {
     const Triangle t(i);
-    if (!film_.alive(t) || retract(t)) continue;
+    if (!film_.alive(t)) continue;
+    const auto& corners = film_.corners(t);
+    const bool open = std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return is_open(v); });
+    if (!open || retract(t)) continue;
     if (relative_altitude(film_.points(t)) > options_.sliver) continue;
     std::array<Edge, 3> sides;
     for (std::size_t k = 0; k < 3; ++k) sides[k] = film_.edges(t)[k].edge();
@@ -279,11 +326,12 @@ bool may_exceed(const Film& film, Edge e) {
     const Vec3 at = film.position(film.opposite(s));
     const Vec3 to_p = film.position(p) - at;
     const Vec3 to_q = film.position(q) - at;
-    return std::pair(dot(to_p, to_q), length(cross(to_p, to_q)));
+    return std::pair(dot(to_p, to_q), cross(to_p, to_q));
   };
   const auto [cos_first, sin_first] = parts(first);
   const auto [cos_second, sin_second] = parts(film.next_around(first));
-  return sin_first * cos_second + cos_first * sin_second <= 0;
+  if (cos_first > 0 && cos_second > 0) return false;
+  return length(sin_first) * cos_second + cos_first * length(sin_second) <= 0;
 }
 
 bool Remesher::flip_edge(Edge e, double slack) {
@@ -305,16 +353,25 @@ bool Remesher::flip_edge(Edge e, double slack) {
   surgery::flip(film_, *diagonal);
   grid().add_around(diagonal->r);
   ++report_.flips;
-  for (const Vertex v : {diagonal->p, diagonal->q, diagonal->r, diagonal->w}) touch(v);
+  for (const Vertex v : {diagonal->p, diagonal->q, diagonal->r, diagonal->w}) {
+    touch(v);
+    flipped_in_[v.index] = flip_pass_;
+  }
   return true;
 }
 
 void Remesher::flip() {
   for (int pass = 0; pass < flip_passes; ++pass) {
     const long before = report_.flips;
+    ++flip_pass_;
+    const auto is_due = [&](Edge e) {
+      const auto& [tail, head] = film_.ends(e);
+      return std::max(flipped_in_[tail.index], flipped_in_[head.index]) + 1 >= flip_pass_;
+    };
     for (std::uint32_t i = 0; i < film_.edge_rows(); ++i) {
-      const Side first = film_.first_side(Edge(i));
-      if (film_.alive(Edge(i)) && first.valid()) flip_edge(Edge(i), options_.flip_slack);
+      const Edge e(i);
+      if (!film_.alive(e) || !film_.first_side(e).valid()) continue;
+      if (pass == 0 ? is_open(e) : is_due(e)) flip_edge(e, options_.flip_slack);
     }
     if (report_.flips == before) return;
   }
@@ -336,6 +393,7 @@ void Remesher::even_out() {
     if (!may_move(v, film_.position(v) + move)) continue;
     film_.move(v, film_.position(v) + move);
     grid().add_around(v);
+    note_change(v);
     ++report_.moved;
   }
 }

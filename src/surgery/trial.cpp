@@ -9,6 +9,8 @@ using film::Vec3;
 
 namespace {
 
+constexpr double settled_part = 1e-7;  // of the energy: a step that wins less is the last
+
 const Vec3& corner(const TrialFilm& film, const TrialFacet& facet, std::size_t k) {
   return film.points[static_cast<std::size_t>(facet.corners[k % 3])];
 }
@@ -67,7 +69,7 @@ double relax(TrialFilm& film, const Vec3& centre, double radius, int most_steps)
     }
     const double now = energy(film);
     if (now < best) {
-      const bool settled = best - now < 1e-9 * std::abs(best);
+      const bool settled = best - now < settled_part * std::abs(best);
       best = now;
       scale = std::min(1.5, 1.3 * scale);
       if (settled) break;
