@@ -135,8 +135,9 @@ void Damper::give_back(std::span<const std::uint32_t> vertices) {
   for (std::size_t i = 0; i < x.size(); ++i) moving += 0.5 * m[i] * squared_length(v[i] - rigid.at(x[i]));
   if (!(moving > 0)) return;
   const double factor = std::min(most_factor, std::sqrt(1 + std::max(0.0, before - now.kinetic) / moving));
-  for (std::size_t i = 0; i < x.size(); ++i)
-    velocities_[vertices[i]] = rigid.at(x[i]) + factor * (v[i] - rigid.at(x[i]));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (held_[vertices[i]] == 0) velocities_[vertices[i]] = rigid.at(x[i]) + factor * (v[i] - rigid.at(x[i]));
+  }
 }
 
 }  // namespace

@@ -76,7 +76,9 @@ void Motion::weigh() {
     mass_ += masses_[v];
     const bool stays = masses_[v] <= 0 || (!fixed.empty() && fixed[v] != 0);
     weights_[v] = stays ? 0 : 1 / masses_[v];
-    if (stays || method_ == Method::gradient) v_[v] = {};
+    const bool carried =
+        terms_.constraints().moves() && terms_.constraints().holds(static_cast<std::uint32_t>(v));
+    if ((stays && !carried) || method_ == Method::gradient) v_[v] = {};
     kinetic_ += 0.5 * masses_[v] * squared_length(v_[v]);
   }
   answers_ = weights_;
