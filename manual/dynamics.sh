@@ -137,11 +137,14 @@ bounds() {
   {
     echo "set terminal svg size 800,560 dynamic background 'white' noenhanced"
     echo "set output 'manual/pictures/bounds.svg'"
-    echo "set datafile separator ','; set key outside right; set grid; set logscale xy"
+    echo "set datafile separator ','; set key outside right; set grid; set logscale xy; set format '%g'"
     echo "set xlabel 'predicted bound'; set ylabel 'largest step that survives'"
     printf "plot x with lines linecolor 'black' title 'equal', x/0.75 with lines dashtype 2 linecolor 'black' title '4/3 of it'"
+    shape=6  # another one for each
     for name in $names; do
-      printf ", '< grep -E \"^%s,(euler|verlet|gradient),\" manual/dynamics/bounds.csv' using 5:6 with points pointtype 7 pointsize 0.6 title '%s'" "$name" "$name"
+      shape=$((shape + 1))
+      printf ", '< grep -E \"^%s,(euler|verlet|gradient),\" manual/dynamics/bounds.csv' using 5:6 with points pointtype %d pointsize 0.6 title '%s'" \
+        "$name" $shape "$name"
     done
     echo
   } | gnuplot
