@@ -16,12 +16,13 @@ std::vector<std::uint32_t> inverse(Order old_of_new, std::size_t old_rows) {
   return new_of_old;
 }
 
+// Array by array, so that no more than one of them is there twice.
 template <class T>
-std::vector<T> picked(const std::vector<T>& rows, Order old_of_new) {
+void pick(std::vector<T>& rows, Order old_of_new) {
   std::vector<T> result;
   result.reserve(old_of_new.size());
   for (const std::uint32_t old : old_of_new) result.push_back(rows[old]);
-  return result;
+  rows = std::move(result);
 }
 
 std::vector<std::uint32_t> live_rows(std::uint32_t rows, auto&& alive) {
@@ -58,47 +59,48 @@ void Film::compact() {
 }
 
 void Film::renumber(Order vertices, Order edges, Order triangles) {
-  const Connectivity& old = *connectivity_;
-  const std::vector<std::uint32_t> new_vertex = inverse(vertices, old.vertex_end.size());
-  const std::vector<std::uint32_t> new_edge = inverse(edges, old.edge_vertices.size());
-  const std::vector<std::uint32_t> new_triangle = inverse(triangles, old.triangle_vertices.size());
-  const auto moved_end = [&](EdgeEnd end) {
-    return end.valid() ? EdgeEnd(Edge(new_edge[end.edge().index]), end.end()) : end;
+  Connectivity& c = connectivity_.edit();
+  const std::vector<std::uint32_t> new_vertex = inverse(vertices, c.vertex_end.size());
+  const std::vector<std::uint32_t> new_edge = inverse(edges, c.edge_vertices.size());
+  const std::vector<std::uint32_t> new_triangle = inverse(triangles, c.triangle_vertices.size());
+  const auto move_end = [&](EdgeEnd& end) {
+    if (end.valid()) end = EdgeEnd(Edge(new_edge[end.edge().index]), end.end());
   };
-  const auto moved_side = [&](Side s) {
-    return s.valid() ? Side(Triangle(new_triangle[s.triangle().index]), s.corner()) : s;
+  const auto move_side = [&](Side& s) {
+    if (s.valid()) s = Side(Triangle(new_triangle[s.triangle().index]), s.corner());
   };
 
-  Connectivity c;
-  c.triangle_vertices = picked(old.triangle_vertices, triangles);
-  c.triangle_edges = picked(old.triangle_edges, triangles);
-  c.triangle_regions = picked(old.triangle_regions, triangles);
+  pick(c.triangle_vertices, triangles);
+  pick(c.triangle_edges, triangles);
+  pick(c.triangle_regions, triangles);
   for (auto& corner : c.triangle_vertices) {
     for (Vertex& v : corner) v = Vertex(new_vertex[v.index]);
   }
   for (auto& side : c.triangle_edges) {
     for (SignedEdge& e : side) e = SignedEdge(Edge(new_edge[e.edge().index]), e.reversed());
   }
-  c.next_side.reserve(3 * triangles.size());
+  std::vector<Side> next_side;
+  next_side.reserve(3 * triangles.size());
   for (const std::uint32_t t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k)
-      c.next_side.push_back(moved_side(old.next_side[3 * std::size_t{t} + k]));
+    for (std::size_t k = 0; k < 3; ++k) next_side.push_back(c.next_side[3 * std::size_t{t} + k]);
   }
-  c.edge_vertices = picked(old.edge_vertices, edges);
-  c.edge_side = picked(old.edge_side, edges);
-  c.next_end = picked(old.next_end, edges);
+  c.next_side = std::move(next_side);
+  for (Side& s : c.next_side) move_side(s);
+  pick(c.edge_vertices, edges);
+  pick(c.edge_side, edges);
+  pick(c.next_end, edges);
   for (auto& ends : c.edge_vertices) {
     for (Vertex& v : ends) v = Vertex(new_vertex[v.index]);
   }
-  for (Side& s : c.edge_side) s = moved_side(s);
+  for (Side& s : c.edge_side) move_side(s);
   for (auto& next : c.next_end) {
-    for (EdgeEnd& end : next) end = moved_end(end);
+    for (EdgeEnd& end : next) move_end(end);
   }
-  c.vertex_end = picked(old.vertex_end, vertices);
-  for (EdgeEnd& end : c.vertex_end) end = moved_end(end);
+  pick(c.vertex_end, vertices);
+  for (EdgeEnd& end : c.vertex_end) move_end(end);
+  c.dead_vertices = c.dead_edges = c.dead_triangles = 0;
 
-  positions_.edit() = picked(*positions_, vertices);
-  connectivity_.edit() = std::move(c);
+  pick(positions_.edit(), vertices);
   const std::array<Order, 3> orders{vertices, edges, triangles};
   for (std::size_t kind = 0; kind < 3; ++kind) {
     columns_[kind].edit_each([&](Column& column) { column.renumber(orders[kind]); });
