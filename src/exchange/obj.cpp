@@ -10,7 +10,7 @@ namespace lamella::exchange {
 
 namespace {
 
-constexpr std::string_view beginning = "# made by Lamella: soap films\n";
+constexpr std::string_view first_line = "# made by Lamella: soap films\n";
 
 using Writer = std::back_insert_iterator<std::string>;
 
@@ -25,7 +25,7 @@ void face(Writer out, const Triple& t) {
 }  // namespace
 
 std::string write_obj(const Mesh& mesh) {
-  std::string text(beginning);
+  std::string text(first_line);
   const Writer out(text);
   for (const film::Vec3& p : mesh.points) vertex(out, p);
   std::map<std::array<std::uint32_t, 2>, std::vector<Triple>> groups;
@@ -54,7 +54,7 @@ std::string write_obj(const Mesh& mesh) {
 }
 
 std::string write_obj(const Mesh& mesh, const Part& part) {
-  std::string text(beginning);
+  std::string text(first_line);
   const Writer out(text);
   for (const std::uint32_t p : part.points) vertex(out, mesh.points[p]);
   fmt::format_to(out, "g body_{}\n", part.regions.behind.index);

@@ -9,6 +9,8 @@
 namespace lamella::language {
 
 enum class ElementKind : std::uint8_t { vertex, edge, facet, body };
+inline constexpr ElementKind element_kinds[] = {ElementKind::vertex, ElementKind::edge, ElementKind::facet,
+                                                ElementKind::body};
 
 // `vertex`, `vertices`, `face` and so on, in any case.
 std::optional<ElementKind> element_kind(std::string_view word);

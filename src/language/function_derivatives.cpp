@@ -108,7 +108,7 @@ constexpr std::array<NamedUnary, 20> unary_rules{{
 }};
 
 // a^b. For a whole number b a may be negative, and a derivative by b is not needed where b is constant.
-SecondOrder power(double a, double b) {
+SecondOrder slopes_of_power(double a, double b) {
   SecondOrder d;
   d.f = std::pow(a, b);
   d.a = b == 0 ? 0 : b * std::pow(a, b - 1);
@@ -155,7 +155,7 @@ UnaryRule unary_rule(std::string_view function) {
 }
 
 BinaryRule binary_rule(std::string_view function) {
-  if (function == "pow") return power;
+  if (function == "pow") return slopes_of_power;
   if (function == "atan2") return arctangent_of_two;
   if (function == "minimum" || function == "min")
     return [](double a, double b) { return chosen(a <= b, a, b); };
@@ -177,7 +177,7 @@ SecondOrder operator_rule(BinaryOperator operation, double a, double b) {
     case BinaryOperator::divide:
       return quotient(a, b);
     case BinaryOperator::power:
-      return power(a, b);
+      return slopes_of_power(a, b);
     case BinaryOperator::modulus:
       return {a - std::floor(a / b) * b, 1, -std::floor(a / b), 0, 0, 0};
     case BinaryOperator::integer_modulus: {

@@ -8,7 +8,7 @@ namespace lamella::picture {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> names = {"viridis", "diverging", "grey"};
+constexpr std::array<std::string_view, 3> map_names = {"viridis", "diverging", "grey"};
 
 // Mixed in sRGB, in which the steps between these colours are even.
 std::uint32_t mixed(std::uint32_t a, std::uint32_t b, double part) {
@@ -30,11 +30,11 @@ Colour between(std::span<const std::uint32_t> stops, double part) {
 }  // namespace
 
 std::span<const std::string_view> colour_map_names() {
-  return names;
+  return map_names;
 }
 
 ColourMap colour_map_named(std::string_view name) {
-  return static_cast<ColourMap>(std::find(names.begin(), names.end(), name) - names.begin());
+  return static_cast<ColourMap>(std::find(map_names.begin(), map_names.end(), name) - map_names.begin());
 }
 
 Colour colour_of(ColourMap map, double part) {

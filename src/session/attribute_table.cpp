@@ -333,9 +333,6 @@ void set_back_color(const Source& source, const Element& f, int, double value) {
   made_column(source, ElementKind::facet, "backcolor").set(f.row, 0, checked_color(value));
 }
 
-constexpr ElementKind all_kinds[] = {ElementKind::vertex, ElementKind::edge, ElementKind::facet,
-                                     ElementKind::body};
-
 AttributeRow computed(ElementKind kind, std::string name, std::string summary,
                       decltype(AttributeRow::get) get, decltype(AttributeRow::set) set = nullptr,
                       decltype(AttributeRow::unset) unset = nullptr) {
@@ -431,7 +428,7 @@ std::deque<AttributeRow> built_in_attributes() {
   add_facet_rows(rows);
   add_body_rows(rows);
   add_constraint_attributes(rows);
-  for (const ElementKind kind : all_kinds) {
+  for (const ElementKind kind : language::element_kinds) {
     rows.push_back(computed(kind, "id", "number", id));
     rows.push_back(computed(kind, "oid", "number, negative where the element is met reversed", oriented_id));
     rows.push_back(computed(kind, "valence", "how many elements meet in it", valence));

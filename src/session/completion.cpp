@@ -13,8 +13,6 @@ using language::ElementKind;
 
 namespace {
 
-constexpr ElementKind all_kinds[] = {ElementKind::vertex, ElementKind::edge, ElementKind::facet,
-                                     ElementKind::body};
 constexpr std::string_view statement_words[] = {"if",       "while",    "do",     "for",   "foreach",
                                                 "break",    "continue", "return", "local", "procedure",
                                                 "function", "then",     "else"};
@@ -108,7 +106,7 @@ class Completer {
   }
 
   void kinds() {
-    for (const ElementKind kind : all_kinds) {
+    for (const ElementKind kind : language::element_kinds) {
       add(language::name_of(kind));
       add(language::plural_of(kind));
     }
@@ -141,10 +139,10 @@ class Completer {
     const std::string_view owner = line_.substr(begin, end - begin);
     if (owner.empty()) return false;
     const std::optional<ElementKind> kind = kind_of(owner);
-    for (const ElementKind each : all_kinds) {
+    for (const ElementKind each : language::element_kinds) {
       if (!kind || *kind == each) attributes(each);
     }
-    for (const ElementKind each : all_kinds) {
+    for (const ElementKind each : language::element_kinds) {
       if (each != kind) add(language::name_of(each));
     }
     return true;
@@ -234,7 +232,7 @@ class Completer {
   void topics() {
     statement_starts();
     values();
-    for (const ElementKind kind : all_kinds) attributes(kind);
+    for (const ElementKind kind : language::element_kinds) attributes(kind);
     add("language");
     add("error");
   }

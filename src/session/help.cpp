@@ -38,9 +38,6 @@ constexpr std::array<Group, 7> groups = {{{CommandGroup::scene, "The scene"},
                                           {CommandGroup::language, "The language"},
                                           {CommandGroup::session, "The session"}}};
 
-constexpr ElementKind all_kinds[] = {ElementKind::vertex, ElementKind::edge, ElementKind::facet,
-                                     ElementKind::body};
-
 // The manual in the source folder, or beside the program.
 std::optional<std::string> manual_page(const std::string& name) {
   std::error_code ignored;
@@ -88,7 +85,7 @@ std::string function_help(const language::Function& function) {
 
 std::string attribute_help(Session& session, std::string_view topic) {
   std::string result;
-  for (const ElementKind kind : all_kinds) {
+  for (const ElementKind kind : language::element_kinds) {
     const auto meaning = session.attributes().find(session.scene(), kind, topic);
     if (!meaning) continue;
     const std::string summary = session.attributes().summary(kind, topic);
@@ -130,7 +127,7 @@ std::vector<std::string> all_topics(Session& session) {
   topics.emplace_back("error");
   session.names().collect_statement_words(topics);
   session.names().collect_names(topics);
-  for (const ElementKind kind : all_kinds) session.names().collect_attributes(kind, topics);
+  for (const ElementKind kind : language::element_kinds) session.names().collect_attributes(kind, topics);
   for (const language::Function& function : language::functions()) topics.emplace_back(function.name);
   return topics;
 }

@@ -76,7 +76,7 @@ InternalVariable kept() {
   return {name.content, "accepted, without effect", counter<name>, keep<name>};
 }
 
-const InternalVariable table[] = {
+const InternalVariable variable_table[] = {
     {"total_area", "area of all facets", [](Session& s) -> Value { return s.measures().area; }, nullptr},
     {"total_energy", "energy of the scene", [](Session& s) -> Value { return s.measures().energy; }, nullptr},
     {"total_length", "length of all edges", [](Session& s) -> Value { return s.measures().length; }, nullptr},
@@ -214,7 +214,7 @@ InternalVariable variable_of(const Switch& known) {
 
 std::span<const InternalVariable> internal_variables() {
   static const std::vector<InternalVariable> all = [] {
-    std::vector<InternalVariable> made(std::begin(table), std::end(table));
+    std::vector<InternalVariable> made(std::begin(variable_table), std::end(variable_table));
     for (const Switch& known : switches()) made.push_back(variable_of(known));
     return made;
   }();

@@ -14,9 +14,11 @@ namespace lamella::session {
 
 namespace {
 
-constexpr std::uint32_t first_row = 900000;  // above all internal variables, below the parts of quantities
-constexpr std::uint32_t last_row = 1000000;
-constexpr std::array<std::string_view, 5> parts = {"fixed", "pdelta", "pscale", "p_force", "p_velocity"};
+constexpr std::uint32_t first_parameter_row =
+    900000;  // above all internal variables, below the parts of quantities
+constexpr std::uint32_t last_parameter_row = 1000000;
+constexpr std::array<std::string_view, 5> parameter_part_names = {"fixed", "pdelta", "pscale", "p_force",
+                                                                  "p_velocity"};
 
 void refuse_in_periods(const scene::Scene& scene, language::VariableId variable) {
   if (!scene::periods_read(scene, variable)) return;
@@ -27,7 +29,7 @@ void refuse_in_periods(const scene::Scene& scene, language::VariableId variable)
 
 template <class Scene>
 auto& parameter_of(Scene& scene, language::InternalId id) {
-  const std::size_t row = (id.row - first_row) / parts.size();
+  const std::size_t row = (id.row - first_parameter_row) / parameter_part_names.size();
   if (row < scene.parameters.size()) return scene.parameters[row];
   throw text::Error("this parameter is no more");
 }
@@ -38,23 +40,25 @@ std::optional<language::InternalId> find_parameter_part(const scene::Scene& scen
   const std::size_t dot = name.find('.');
   if (dot == std::string_view::npos) return std::nullopt;
   const auto variable = scene.variables.find_id(name.substr(0, dot));
-  const auto part = std::find(parts.begin(), parts.end(), text::lower(name.substr(dot + 1)));
-  if (!variable || part == parts.end()) return std::nullopt;
+  const auto part =
+      std::find(parameter_part_names.begin(), parameter_part_names.end(), text::lower(name.substr(dot + 1)));
+  if (!variable || part == parameter_part_names.end()) return std::nullopt;
   const auto parameter = std::find_if(scene.parameters.begin(), scene.parameters.end(),
                                       [&](const scene::FreeParameter& p) { return p.variable == *variable; });
   if (parameter == scene.parameters.end()) return std::nullopt;
   const auto row = static_cast<std::size_t>(parameter - scene.parameters.begin());
-  return language::InternalId{first_row + static_cast<std::uint32_t>(parts.size() * row) +
-                              static_cast<std::uint32_t>(part - parts.begin())};
+  return language::InternalId{first_parameter_row +
+                              static_cast<std::uint32_t>(parameter_part_names.size() * row) +
+                              static_cast<std::uint32_t>(part - parameter_part_names.begin())};
 }
 
 bool is_parameter_part(language::InternalId id) {
-  return id.row >= first_row && id.row < last_row;
+  return id.row >= first_parameter_row && id.row < last_parameter_row;
 }
 
 double parameter_part(const scene::Scene& scene, language::InternalId id) {
   const scene::FreeParameter& parameter = parameter_of(scene, id);
-  switch ((id.row - first_row) % parts.size()) {
+  switch ((id.row - first_parameter_row) % parameter_part_names.size()) {
     case 0:
       return parameter.fixed ? 1 : 0;
     case 1:
@@ -70,7 +74,8 @@ double parameter_part(const scene::Scene& scene, language::InternalId id) {
 
 void set_parameter_part(scene::Scene& scene, language::InternalId id, const language::Value& value) {
   scene::FreeParameter& parameter = parameter_of(scene, id);
-  const std::string_view part = parts[(id.row - first_row) % parts.size()];
+  const std::string_view part =
+      parameter_part_names[(id.row - first_parameter_row) % parameter_part_names.size()];
   const std::string name = fmt::format("{}.{}", scene.variables.name(parameter.variable), part);
   const double* const number = std::get_if<double>(&value);
   if (part == "p_force" || part == "p_velocity")

@@ -25,7 +25,7 @@ constexpr std::string_view matrices = "matrices are arrays of numbers without a 
 constexpr std::string_view joins = "addload puts a datafile's film beside the present one";
 constexpr std::string_view orders = "rows are put in order without being told";
 
-constexpr Refused table[] = {
+constexpr Refused refused_table[] = {
     {"pop_quad_to_quad", pops},
     {"vertex_merge", merges},
     {"edge_merge", merges},
@@ -90,9 +90,9 @@ constexpr Refused table[] = {
 
 std::string_view refusal(std::string_view word) {
   const std::string key = word.size() == 1 ? std::string(word) : text::lower(word);
-  const auto* const at = std::find_if(std::begin(table), std::end(table),
+  const auto* const at = std::find_if(std::begin(refused_table), std::end(refused_table),
                                       [&](const Refused& refused) { return refused.word == key; });
-  return at == std::end(table) ? std::string_view{} : at->reason;
+  return at == std::end(refused_table) ? std::string_view{} : at->reason;
 }
 
 }  // namespace lamella::session

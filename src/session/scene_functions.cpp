@@ -119,7 +119,7 @@ Value new_body(Session& session, Arguments) {
 
 constexpr std::size_t many = 10000;
 
-constexpr SceneFunction table[] = {
+constexpr SceneFunction function_table[] = {
     {"new_vertex", "new_vertex(x,y,z): a vertex at a place; its number", {3, 3}, new_vertex},
     {"new_edge", "new_edge(tail,head): an edge between vertices; its number", {2, 2}, new_edge},
     {"new_facet", "new_facet(edge,edge,...): a facet between edges; its number", {3, many}, new_facet},
@@ -129,14 +129,14 @@ constexpr SceneFunction table[] = {
 }  // namespace
 
 std::span<const SceneFunction> scene_functions() {
-  return table;
+  return function_table;
 }
 
 const SceneFunction* find_scene_function(std::string_view name) {
   const std::string key = text::lower(name);
-  const auto* const at = std::find_if(std::begin(table), std::end(table),
+  const auto* const at = std::find_if(std::begin(function_table), std::end(function_table),
                                       [&](const SceneFunction& function) { return function.name == key; });
-  return at == std::end(table) ? nullptr : at;
+  return at == std::end(function_table) ? nullptr : at;
 }
 
 }  // namespace lamella::session

@@ -16,7 +16,7 @@ constexpr SwitchEffect kept = SwitchEffect::kept;
 constexpr SwitchEffect refused = SwitchEffect::refused;
 
 constexpr std::string_view flows = "g moves vertices down the gradient; see evolve for motion in time";
-constexpr std::string_view pops =
+constexpr std::string_view popping =
     "nothing is popped or collapsed on its own: delete edges where ..., refine edges where ...";
 constexpr std::string_view gas = "bodies have volumes or pressures, and are not filled with gas";
 constexpr std::string_view curvature = "curvature is no energy here";
@@ -24,7 +24,7 @@ constexpr std::string_view curved = "facets are flat and edges straight here";
 constexpr std::string_view careful = "edges are collapsed and flipped only where the film stays sound";
 constexpr std::string_view newton = "relax and hessian use the exact Hessian";
 
-constexpr Switch table[] = {
+constexpr Switch switch_table[] = {
     {"gravity",
      acts,
      true,
@@ -122,9 +122,9 @@ constexpr Switch table[] = {
     {"approximate_curvature", refused, false, {}, flows},
     {"approx_curvature", refused, false, {}, flows},
     {"area_normalization", refused, false, "a", flows},
-    {"autochop", refused, false, {}, pops},
-    {"autopop", refused, false, {}, pops},
-    {"autopop_quartic", refused, false, {}, pops},
+    {"autochop", refused, false, {}, popping},
+    {"autopop", refused, false, {}, popping},
+    {"autopop_quartic", refused, false, {}, popping},
     {"bezier_basis", refused, false, {}, curved},
     {"boundary_curvature", refused, false, {}, curvature},
     {"deturck", refused, false, {}, flows},
@@ -138,7 +138,7 @@ constexpr Switch table[] = {
     {"hessian_normal_perp", refused, false, {}, newton},
     {"hessian_special_normal", refused, false, {}, newton},
     {"homothety", refused, false, "W", flows},
-    {"immediate_autopop", refused, false, {}, pops},
+    {"immediate_autopop", refused, false, {}, popping},
     {"interp_bdry_param", kept},
     {"jiggle", refused, false, "J", "vertices are shaken by j, when it is told to"},
     {"k_altitude_mode", refused, false, {}, "K halves edges in their middle"},
@@ -190,7 +190,7 @@ Command made_command(const Switch& known) {
 const std::vector<Command>& commands() {
   static const std::vector<Command> made = [] {
     std::vector<Command> result;
-    for (const Switch& known : table) result.push_back(made_command(known));
+    for (const Switch& known : switch_table) result.push_back(made_command(known));
     return result;
   }();
   return made;
@@ -199,15 +199,15 @@ const std::vector<Command>& commands() {
 }  // namespace
 
 std::span<const Switch> switches() {
-  return table;
+  return switch_table;
 }
 
 const Switch* find_switch(std::string_view word) {
   const std::string key = text::lower(word);
-  const auto* const at = std::find_if(std::begin(table), std::end(table), [&](const Switch& known) {
-    return word.size() == 1 ? known.letter == word : known.name == key;
-  });
-  return at == std::end(table) ? nullptr : at;
+  const auto* const at = std::find_if(
+      std::begin(switch_table), std::end(switch_table),
+      [&](const Switch& known) { return word.size() == 1 ? known.letter == word : known.name == key; });
+  return at == std::end(switch_table) ? nullptr : at;
 }
 
 bool is_on(Session& session, const Switch& known) {
@@ -233,7 +233,7 @@ void turn(Session& session, const Switch& known, bool on) {
 
 const Command* find_switch_command(std::string_view word) {
   const Switch* const known = find_switch(word);
-  return known == nullptr ? nullptr : &commands()[static_cast<std::size_t>(known - std::begin(table))];
+  return known == nullptr ? nullptr : &commands()[static_cast<std::size_t>(known - std::begin(switch_table))];
 }
 
 }  // namespace lamella::session
