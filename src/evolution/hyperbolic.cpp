@@ -154,6 +154,7 @@ Ending Walk::advance(double dt, long steps) {
 // After the connectivity or the mesh of the scene has changed.
 void Walk::renew_motion() {
   add(report_.times, motion_->times());
+  motion_.reset();  // not two of them at a time
   motion_ = std::make_unique<Motion>(scene_, size_.method, size_.volumes);
 }
 

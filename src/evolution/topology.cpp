@@ -273,7 +273,6 @@ bool TopologyKeeper::look(Scene& scene, bool sound, bool mend) {
     for (const auto& [changes, upkeep] :
          {std::pair(true, true), {true, false}, {false, true}, {false, false}}) {
       const Scene before = scene;
-      const surgery::TangleWatch watched = watch_;
       options.changes = changes;
       options.upkeep = upkeep && mends;
       options.tidy = upkeep;
@@ -284,7 +283,11 @@ bool TopologyKeeper::look(Scene& scene, bool sound, bool mend) {
         break;
       }
       scene = before;
-      watch_ = watched;
+      if (pass.report.changed()) {
+        // A copy of what was known would cost every pass more than this costs the few that are thrown away.
+        watch_.forget();
+        watch_.look(film);
+      }
       if (!pass.changed) break;
       ++counts_.refused;
     }

@@ -14,6 +14,17 @@ using film::Triangle;
 using film::Vec3;
 using film::Vertex;
 
+namespace {
+
+// Never to twice its size for a few rows more.
+template <class T>
+void grow(std::vector<T>& rows, std::size_t count) {
+  if (rows.capacity() < count) rows.reserve(count + count / 8);
+  rows.resize(count);
+}
+
+}  // namespace
+
 // Facets that are not what they were are looked at, and everything if the film is another. Returns whether it
 // is.
 bool TangleWatch::adopt(const Film& film) {
@@ -182,48 +193,50 @@ void TangleWatch::before_compaction(const Film& film) {
   const auto& corners = film.connectivity().triangle_vertices;
   spend_on_surgery(film);
   for (FacetPair& pair : pairs_) pair.gap -= way_[pair.a.index] + way_[pair.b.index];
-  around_.resize(film.vertex_rows());
-  axes_.resize(film.vertex_rows());
+  // Rows move down if they move, so that each array is its own copy.
+  grow(around_, film.vertex_rows());
+  grow(axes_, film.vertex_rows());
   std::vector<Vertex> row(film.vertex_rows());
-  std::vector<Around> around;
-  std::vector<std::array<float, 3>> axes;
   last_.clear();
   for (std::uint32_t v = 0; v < row.size(); ++v) {
     if (!film.alive(Vertex(v))) continue;
-    row[v] = Vertex(static_cast<std::uint32_t>(last_.size()));
+    const std::size_t to = last_.size();
+    row[v] = Vertex(static_cast<std::uint32_t>(to));
     last_.push_back(film.position(Vertex(v)));
-    around.push_back(around_[v]);
-    axes.push_back(axes_[v]);
+    around_[to] = around_[v];
+    axes_[to] = axes_[v];
   }
-  std::vector<std::array<Vertex, 3>> kept;
-  std::vector<double> edges;
-  std::vector<Corners> listed_at;
-  std::vector<double> listed_for;
-  std::vector<std::uint8_t> alone;
+  around_.resize(last_.size());
+  axes_.resize(last_.size());
+  const std::size_t before = corners_.size();
+  grow(corners_, corners.size());
+  grow(edges_, corners.size());
+  grow(listed_at_, corners.size());
+  grow(listed_for_, corners.size());
+  grow(alone_, corners.size());
   std::vector<Triangle> facet(corners.size());  // of those that are what they were
+  std::uint32_t to = 0;
   for (std::uint32_t t = 0; t < corners.size(); ++t) {
     if (!film.alive(Triangle(t))) continue;
-    const bool same = t < corners_.size() && corners_[t] == corners[t];
-    if (same) facet[t] = Triangle(static_cast<std::uint32_t>(kept.size()));
-    edges.push_back(same ? edges_[t] : unknown);
-    listed_at.push_back(same ? listed_at_[t] : Corners{});
-    listed_for.push_back(same ? listed_for_[t] : 0);
-    alone.push_back(same ? alone_[t] : 0);
-    kept.push_back({row[corners[t][0].index], row[corners[t][1].index], row[corners[t][2].index]});
+    const bool same = t < before && corners_[t] == corners[t];
+    if (same) facet[t] = Triangle(to);
+    edges_[to] = same ? edges_[t] : unknown;
+    listed_at_[to] = same ? listed_at_[t] : Corners{};
+    listed_for_[to] = same ? listed_for_[t] : 0;
+    alone_[to] = same ? alone_[t] : std::uint8_t{0};
+    corners_[to++] = {row[corners[t][0].index], row[corners[t][1].index], row[corners[t][2].index]};
   }
+  corners_.resize(to);
+  edges_.resize(to);
+  listed_at_.resize(to);
+  listed_for_.resize(to);
+  alone_.resize(to);
   std::erase_if(pairs_, [&](FacetPair& pair) {
     pair = {facet[pair.a.index], facet[pair.b.index], pair.gap};
     return !pair.a.valid() || !pair.b.valid();
   });
-  cells_.rename(facet, kept.size());
+  cells_.rename(facet, to);
   connectivity_ = 0;  // of no film: what is known of its facets is compared with the next
-  edges_ = std::move(edges);
-  listed_at_ = std::move(listed_at);
-  listed_for_ = std::move(listed_for);
-  alone_ = std::move(alone);
-  around_ = std::move(around);
-  axes_ = std::move(axes);
-  corners_ = std::move(kept);
 }
 
 }  // namespace lamella::surgery
