@@ -95,9 +95,13 @@ void read_periods(Reading& reading, const Token& word) {
   const int dimension = reading.scene.strings.dimension;
   std::vector<language::Formula>& formulas = reading.scene.periods;
   formulas.clear();
-  for (int i = 0; i < dimension * dimension; ++i)
+  for (int i = 0; i < dimension * dimension; ++i) {
+    const Token next = reading.tokens.peek();
+    if (next.is_word("total_time"))
+      throw text::Error(next.place, "periods do not change with time", "name a parameter, and set it");
     formulas.push_back(top_value_of_variables(
         reading, fmt::format("\"{}\" needs as many vectors as space has dimensions", word.text)));
+  }
   try {
     reading.periods = scene::present_periods(reading.scene);
   } catch (const text::Error& error) {

@@ -114,6 +114,7 @@ TEST(PeriodicFoam, RefusesPeriodsThatAreNone) {
   EXPECT_TRUE(trial::contains(trial.failure("unfix a"), "cannot be optimized: periods name it"));
   for (const auto& [periods, message] :
        {std::pair("parameter a = 0\ntorus\nperiods\na 0 0\n0 1 0\n0 0 1\n", "the periods lie in a plane"),
+        {"torus\nperiods\n1 total_time 0\n0 1 0\n0 0 1\n", "periods do not change with time"},
         {"torus\nperiods\nx 0 0\n0 1 0\n0 0 1\n", "\"x\" is not defined"},
         {"optimizing_parameter a = 1\ntorus\nperiods\na 0 0\n0 1 0\n0 0 1\n",
          "periods of optimizing parameters"}}) {
