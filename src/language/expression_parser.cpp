@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "language/functions.h"
 #include "text/suggest.h"
@@ -308,6 +309,7 @@ ExpressionPointer ExpressionParser::word() {
   text::Place place;
   if (const auto id = dotted_internal(place)) return make(InternalUse{*id}, place);
   if (const auto id = dotted_variable(place)) return make(VariableUse{*id}, place);
+  refuse_unknown_part();
   if (const auto id = scope_.variable(name)) return variable(*id);
   if (arity && arity->most == 0) return user_call(*arity);
   if (const auto id = scope_.internal(name)) return make(InternalUse{*id}, tokens_.take().place);
@@ -511,6 +513,17 @@ void ExpressionParser::unknown_name(const Token& name) {
   const std::string message = called ? fmt::format("there is no function \"{}\"", name.text)
                                      : fmt::format("\"{}\" is not defined", name.text);
   throw text::Error(name.place, message, suggest_name(name.text, scope_));
+}
+
+void ExpressionParser::refuse_unknown_part() {
+  const std::string name = dotted_name();
+  if (name.empty()) return;
+  std::vector<std::string> parts;
+  scope_.collect_parts(tokens_.peek().text, parts);
+  if (parts.empty()) return;
+  std::string hint = text::did_you_mean(name, parts);
+  if (hint.empty()) hint = fmt::format("there are {}", fmt::join(parts, ", "));
+  throw text::Error(take_dotted(), fmt::format("\"{}\" is not defined", name), hint);
 }
 
 std::string suggest_name(std::string_view name, const Scope& scope) {

@@ -57,6 +57,8 @@ class ExpressionParser {
   std::optional<InternalId> dotted_internal(text::Place& place);
   // The same of a variable whose name has a dot.
   std::optional<VariableId> dotted_variable(text::Place& place);
+  // Throws where a name that has parts is followed by a dot and what is none of them ("height.pscal").
+  void refuse_unknown_part();
   // The indices that follow an array's name.
   std::vector<ExpressionPointer> array_indices(text::Place& place);
   // Numbers in braces, which come next.

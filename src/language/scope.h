@@ -69,6 +69,8 @@ class Scope {
   // Candidates for suggestions and for Tab.
   virtual void collect_names(std::vector<std::string>& /*into*/) const {}
   virtual void collect_attributes(ElementKind, std::vector<std::string>& /*into*/) const {}
+  // "height.fixed" and the like: names with a dot whose first half is this one.
+  virtual void collect_parts(std::string_view /*name*/, std::vector<std::string>& /*into*/) const {}
 
   Locals& locals() { return locals_; }
   const Locals& locals() const { return locals_; }

@@ -183,6 +183,7 @@ StatementPointer StatementParser::attribute_assignment() {
     if (!assignment_kind(tokens_.peek())) unexpected("\":=\"");
     return assign_to(*internal);
   }
+  parser.refuse_unknown_part();
   const Token first = tokens_.peek();
   if (!(tokens_.peek(1).is_symbol("[") || tokens_.peek(1).is_symbol("."))) {
     throw text::Error(first.place, fmt::format("a command cannot begin with {}", describe(first)),

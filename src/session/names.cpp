@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "language/evaluate.h"
 #include "language/letters.h"
 #include "session/argument_parser.h"
@@ -82,6 +84,17 @@ void Names::collect_names(std::vector<std::string>& into) const {
     if (procedure.returns_value) into.push_back(procedure.name);
   }
   for (const SceneFunction& function : scene_functions()) into.emplace_back(function.name);
+}
+
+void Names::collect_parts(std::string_view name, std::vector<std::string>& into) const {
+  for (const std::string_view part : quantity_part_names) {
+    std::string whole = fmt::format("{}.{}", name, part);
+    if (find_quantity_part(scene_, whole)) into.push_back(std::move(whole));
+  }
+  for (const std::string_view part : parameter_part_names) {
+    std::string whole = fmt::format("{}.{}", name, part);
+    if (find_parameter_part(scene_, whole)) into.push_back(std::move(whole));
+  }
 }
 
 void Names::collect_attributes(language::ElementKind kind, std::vector<std::string>& into) const {

@@ -31,6 +31,7 @@ class Names : public language::StatementScope {
   std::optional<language::Arity> user_function(std::string_view name) const override;
   bool has_elements() const override { return true; }
   void collect_names(std::vector<std::string>& into) const override;
+  void collect_parts(std::string_view name, std::vector<std::string>& into) const override;
   void collect_attributes(language::ElementKind kind, std::vector<std::string>& into) const override;
 
   std::optional<std::size_t> procedure(std::string_view name) const override;

@@ -1,7 +1,6 @@
 #include "session/parameter_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -17,8 +16,6 @@ namespace {
 constexpr std::uint32_t first_parameter_row =
     900000;  // above all internal variables, below the parts of quantities
 constexpr std::uint32_t last_parameter_row = 1000000;
-constexpr std::array<std::string_view, 5> parameter_part_names = {"fixed", "pdelta", "pscale", "p_force",
-                                                                  "p_velocity"};
 
 void refuse_in_periods(const scene::Scene& scene, language::VariableId variable) {
   if (!scene::periods_read(scene, variable)) return;

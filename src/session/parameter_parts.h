@@ -2,6 +2,7 @@
 // NAME.p_force, NAME.p_velocity.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -10,6 +11,9 @@
 #include "scene/scene.h"
 
 namespace lamella::session {
+
+inline constexpr std::array<std::string_view, 5> parameter_part_names = {"fixed", "pdelta", "pscale",
+                                                                         "p_force", "p_velocity"};
 
 // "height.pscale" and the like; nothing for other names.
 std::optional<language::InternalId> find_parameter_part(const scene::Scene& scene, std::string_view name);

@@ -1,6 +1,7 @@
 // Named quantities in expressions: NAME.value, NAME.target, NAME.pressure, NAME.modulus.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -9,6 +10,9 @@
 #include "scene/scene.h"
 
 namespace lamella::session {
+
+inline constexpr std::array<std::string_view, 4> quantity_part_names = {"value", "target", "pressure",
+                                                                        "modulus"};
 
 // "vol.value" and the like; nothing for other names.
 std::optional<language::InternalId> find_quantity_part(const scene::Scene& scene, std::string_view name);

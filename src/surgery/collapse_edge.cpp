@@ -5,6 +5,7 @@
 #include <map>
 
 #include "scene/constraint_sets.h"
+#include "surgery/patch.h"
 
 namespace lamella::surgery {
 
@@ -20,11 +21,6 @@ using film::Vertex;
 using scene::Scene;
 
 namespace {
-
-bool is_fixed(const Film& film, ElementKind kind, std::uint32_t row) {
-  const auto fixed = film.columns(kind).flags("fixed");
-  return !fixed.empty() && fixed[row] != 0;
-}
 
 std::vector<int> sorted_constraints(const Scene& scene, ElementKind kind, std::uint32_t row) {
   std::vector<int> numbers = scene::constraints_of(scene, kind, row);

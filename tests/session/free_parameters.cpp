@@ -152,6 +152,13 @@ TEST(FreeParameters, AreSavedAndRead) {
   EXPECT_EQ(again.number("shift.fixed"), 1);
 }
 
+TEST(FreeParameters, SayWhichPartsThereAre) {
+  Trial trial("drop_under_plate.fe");
+  EXPECT_NE(trial.failure("height.pscal := 2").find("did you mean \"height.pscale\"?"), std::string::npos);
+  EXPECT_NE(trial.failure("print height.force").find("did you mean \"height.p_force\"?"), std::string::npos);
+  EXPECT_NE(trial.failure("print height.colour").find("there are height.fixed, "), std::string::npos);
+}
+
 TEST(FreeParameters, MovingPlatesDoNotDisturbMotion) {
   Trial trial("drop_under_plate.fe");
   trial.out("refine; relax");
